@@ -8,8 +8,6 @@ from typing import Any
 
 import pytest
 
-pytest.importorskip("numba_cuda", reason="the extra gpu is not installed: pip install '.[gpu]'")
-
 
 class Codegen:
     """Of a device and a toolkit."""

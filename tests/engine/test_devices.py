@@ -16,7 +16,12 @@ from shaketable.physics.plane.contact import ContactBody, Pose
 from shaketable.physics.plane.extremes import Log
 from shaketable.physics.plane.forcing import Forcing, Shaking
 
-pytest.importorskip("numba_cuda", reason="the extra gpu is not installed: pip install '.[gpu]'")
+pathfinder = pytest.importorskip("cuda.pathfinder", reason="pip install '.[gpu]'")
+try:
+    pathfinder.load_nvidia_dynamic_lib("nvrtc")
+except pathfinder.DynamicLibNotFoundError:
+    pytest.skip("CUDA's compiler is not here: pip install '.[gpu]'", allow_module_level=True)
+
 CAPABILITY = (9, 0)
 #: What only the whole kernel of the general model calls, which compiles for half a minute.
 GENERAL_ALONE = {

@@ -161,7 +161,6 @@ assert simulate_each(**each, device="cuda").identical(simulate_each(**each, thre
 @pytest.mark.parametrize("said", [SIMULATED, SIMULATED_SOLIDS], ids=["planar", "solids"])
 def test_under_the_simulator_of_cuda(said: str) -> None:
     """Kernel, grid and members as on a device, in plain Python; its mathematics is the CPU's."""
-    pytest.importorskip("numba_cuda", reason="the extra gpu is not installed")
     environment = {**os.environ, "NUMBA_ENABLE_CUDASIM": "1", "NUMBA_DISABLE_JIT": "1"}
     root = Path(__file__).parents[2]
     run = subprocess.run(

@@ -76,6 +76,7 @@ def _launch(model: Model, rows: Rows, pieces: list[Piece]) -> Part:
         [piece.group.first + rows.member[some] for piece, some in zip(pieces, taken, strict=True)]
     )
     motion = np.repeat(np.arange(len(pieces)), [piece.rows.size for piece in pieces])
-    polarity = rows.polarity[row]
-    results = run_on_gpu(model.gpu_kernel, shakings, rows.table, row, motion, polarity)
+    table, polarity = rows.table, rows.polarity[row]
+    alone = table.blocks, table.bodies, table.corners  # nothing surrounds a body on a GPU
+    results = run_on_gpu(model.gpu_kernel, shakings, alone, row, motion, polarity)
     return part_of(members, runs_of(results), rows.downhill[row])
