@@ -121,7 +121,7 @@ MESSY = (
         ("Objeto", "Fondo (m)", "Ancho (m)", "Alto (m)"), ("Estante", 0.3, 0.9, 1.8),
         ("Locker", 0.5, 0.4, 1.8),
     ]}, 2, ("Estante", 0.3, 0.9, 1.8, None), sheet="2025",
-        asked="'2025' has the most rows, 3; name the one"),
+        asked="'2025' has the most rows, 2; name it by"),
     Messy("reparto.csv", {"": [
         ("Apparecchiatura", "Profondità [cm]", "Larghezza [cm]", "Altezza [cm]", "Massa [kg]",
          "Ruote", "Fissato"),

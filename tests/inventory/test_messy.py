@@ -78,7 +78,10 @@ def read_inventory_or_none(path: Path) -> list[Item | None]:
     [
         ('[columns]\nH = "tallness"\n', "H: expected the name of a column, .* found 'tallness'"),
         ("[columns]\nH = 3\n", "H: expected the name of a column, .* found '3'"),
-        ('H = "height"\n', r"columns: one table is expected, \[columns\]"),
+        ('H = "height"\n', r"columns: a table is expected, \[columns\]"),
+        ("", "columns: a table is expected"),
+        ("sheet = 3\n", "columns: a table is expected"),
+        ('sheet = "A"\n', "is a text, which has no sheet 'A'"),
         ("[columns\n", "columns.toml"),
     ],
 )

@@ -243,9 +243,14 @@ def test_several_sheets(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> Non
     for row in TABLE:
         other.append(row)
     book.save(tmp_path / "a.xlsx")
-    with pytest.raises(InputError, match="'West wing' has the most rows, 4; name the one"):
+    with pytest.raises(InputError, match="'East wing' has the most rows, 2; name it by --sheet"):
         read_inventory(tmp_path / "a.xlsx")
     same(read_inventory(tmp_path / "a.xlsx", sheet="east wing "))
+    said = tmp_path / "a.xlsx.columns.toml"  # beside the list: also where no option names a sheet
+    said.write_text('sheet = "East wing"\n')
+    same(read_inventory(tmp_path / "a.xlsx"))
+    assert read_with_columns(tmp_path / "a.xlsx").said_in == said
+    said.unlink()
     with pytest.raises(InputError, match="has no sheet 'North'; it has 'East wing', 'West wing'"):
         read_inventory(tmp_path / "a.xlsx", sheet="North")
     (tmp_path / "a.csv").write_text("name,depth_m,height_m\na,0.3,1\n")

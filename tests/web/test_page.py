@@ -5,16 +5,18 @@ from __future__ import annotations
 import io
 import json
 import re
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, get_args
 
 import numpy as np
 import pytest
+from openpyxl import Workbook
 from PIL import Image
 from scipy.spatial.transform import Rotation, Slerp
 
-from shaketable import Body, General, Solid, simulate, suite
+from shaketable import Body, General, Solid, read_inventory, simulate, suite
 from shaketable.assess.classes import NOT_CLASSED
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.language import LANGUAGES
@@ -486,10 +488,90 @@ def test_headings_can_be_corrected(page: Any, address: str, tmp_path: Path) -> N
     mine.write_text("name,deepness,width_m,height_m\nshelf,0.32,0.9,1.8\nbox,0.5,0.5,0.6\n")
     page.goto(f"{address}/list")
     page.set_input_files("#file", str(mine))
-    page.wait_for_selector("#cells th:nth-child(3) >> text=not used")
+    page.wait_for_selector("text=3 of 4 columns are used. Not used: deepness.")
     page.fill("#cells th:nth-child(3) input", "depth_m")
     page.click("#again")
-    page.wait_for_selector("#cells th:nth-child(3) >> text=depth [m]")
+    page.wait_for_selector("text=All 4 columns are used.")
+
+
+MESSY = """Inventar Labor,,,,
+Gegenstand,Z,Breite,Höhe,Rollengröße
+,mm,cm,cm,
+Regal,320,90,180,50
+Schrank,450,90,110,
+"""
+
+
+def test_what_columns_mean_is_chosen_and_kept(page: Any, address: str, tmp_path: Path) -> None:
+    """From menus beside samples; a column that decides is asked; the file answers the next time."""
+    mine = tmp_path / "Labor.csv"
+    mine.write_text(MESSY, "utf-8")
+    page.goto(f"{address}/list")
+    page.set_input_files("#file", str(mine))
+    page.wait_for_selector("#columns li.asked")
+    asked = page.locator("#columns li.asked")
+    assert asked.locator("strong").inner_text() == "Rollengröße"
+    assert asked.locator("span.small >> nth=0").inner_text() == "50"
+    assert "nothing gets a class" in page.inner_text("#notes")
+    height = page.locator("#columns li", has_text="Höhe")
+    assert height.locator("select >> nth=1").input_value() == "cm"  # as the row of units says
+    page.set_viewport_size({"width": 400, "height": 800})
+    assert page.evaluate("document.documentElement.scrollWidth") <= 400
+    assert "Not used: Z, Rollengröße" in page.inner_text("#columns-told")
+    assert serious(page) == []
+    asked.locator("button").click()
+    page.wait_for_selector("#columns:not(:has(.asked)) li")
+    assert "nothing gets a class" not in page.inner_text("#notes")
+    depth = page.locator("#columns li").filter(has=page.locator("strong:text-is('Z')"))
+    depth.locator("select >> nth=0").select_option("width")
+    page.wait_for_selector("#faults li:has-text('2 columns mean')")
+    depth.locator("select >> nth=0").select_option("depth")
+    page.wait_for_selector("text=2 kinds of object were read")
+    with page.expect_download() as kept:
+        page.click("#save-columns")
+    assert kept.value.suggested_filename == "Labor.csv.columns.toml"
+    said = tmp_path / "Labor.csv.columns.toml"
+    kept.value.save_as(said)
+    assert tomllib.loads(said.read_text("utf-8")) == {
+        "columns": {
+            "Gegenstand": "name", "Z": "depth_mm", "Breite": "width_cm", "Höhe": "height_cm",
+            "Rollengröße": "",
+        }
+    }  # fmt: skip
+    assert [item.body.width for item in read_inventory(mine)] == [0.32, 0.45]  # beside the list
+    page.reload()
+    page.set_input_files("#file", [str(mine), str(said)])
+    page.wait_for_selector("text=2 kinds of object were read")
+    assert page.locator("#columns li.asked").count() == 0
+    page.check("#planar")
+    page.click("#run")
+    page.wait_for_selector("#cards .card", timeout=300_000)
+    assert "0.32" in page.get_attribute("#cards .card:has-text('Regal') a", "href")
+
+
+def test_the_sheet_is_chosen(page: Any, address: str, tmp_path: Path) -> None:
+    book = Workbook()
+    for title, rows in (("Old", 1), ("New", 2)):
+        sheet = book.create_sheet(title)
+        sheet.append(["name", "depth (cm)", "height (cm)"])
+        for k in range(rows):
+            sheet.append([f"{title} {k}", 30 + k, 180])
+    del book["Sheet"]
+    mine = tmp_path / "two.xlsx"
+    book.save(mine)
+    page.goto(f"{address}/list")
+    page.set_input_files("#file", str(mine))
+    page.wait_for_selector("text=Several sheets may hold the objects. Choose one.")
+    assert "'New' has the most rows, 2" in page.inner_text("#faults")
+    assert page.is_disabled("#run")
+    page.select_option("#language", "de")
+    page.wait_for_selector("#faults:has-text('hat die meisten Zeilen')")
+    page.select_option("#language", "en")
+    page.select_option("#sheet", "New")
+    page.wait_for_selector("text=2 kinds of object were read")
+    page.select_option("#sheet", "Old")
+    page.wait_for_selector("text=1 kinds of object were read")
+    assert page.input_value("#cells tbody input >> nth=0") == "Old 0"
 
 
 def test_what_was_changed_is_told(page: Any) -> None:

@@ -256,7 +256,13 @@ def assess(
         run = {
             **run_log.entries(),
             "hazard": hazard and {"path": str(hazard), "sha256": sha256(hazard)},
-            "inventory": {"path": str(path), "sha256": sha256(path), "items": len(table.items)},
+            "inventory": {
+                "path": str(path),
+                "sha256": sha256(path),
+                "items": len(table.items),
+                "said_in": table.said_in
+                and {"path": str(table.said_in), "sha256": sha256(table.said_in)},
+            },
             "motions": _motions_entry(shaking, house, strongest),
             "building": building and {"path": str(building), "sha256": sha256(building)},
             "scaling": scaling.told(house, planar) if scaling else "",

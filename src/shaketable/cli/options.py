@@ -213,8 +213,8 @@ class ListOptions:
     columns: Annotated[
         str | None,
         typer.Option(
-            help="TOML file that says what columns mean. [the one beside the list, such as "
-            "list.xlsx.columns.toml]"
+            help="TOML file that says what columns mean, and which sheet. [the one beside the "
+            "list, such as list.xlsx.columns.toml]"
         ),
     ] = None
 

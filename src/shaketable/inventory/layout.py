@@ -169,9 +169,9 @@ def _of_group(columns: Sequence[Column | None], above: Sequence[Row]) -> dict[in
 
 
 def _takes(columns: Sequence[Column | None], k: int, unit: str) -> bool:
-    """Whether a column takes a unit that does not stand in its name."""
+    """Whether a column takes a unit that does not stand in its name, or may, once it is known."""
     column = columns[k] if k < len(columns) else None
-    return column is not None and not column.stated and unit in UNITS.get(column.meaning, {})
+    return column is None or (not column.stated and unit in UNITS.get(column.meaning, {}))
 
 
 def _is_bare_length(column: Column | None) -> bool:

@@ -9,23 +9,20 @@ from pathlib import Path
 from statistics import median
 
 from shaketable.errors import Fault, named, quoted, refusal, refused, remark
-from shaketable.inventory.answers import ANSWERING
-from shaketable.inventory.columns import Column, columns_of, is_header, said_of
+from shaketable.inventory.columns import Column
 from shaketable.inventory.hints import (
     is_furniture,
-    may_say_what_decides,
     may_say_what_it_stands_on,
     mentions_anchors,
     mentions_what_it_stands_on,
     must_be_kept,
 )
 from shaketable.inventory.item import Castors, Item
-from shaketable.inventory.layout import layout_of
-from shaketable.inventory.mapping import mapping_beside, read_mapping
 from shaketable.inventory.numbers import number_in
 from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, NOT_EXPECTED, item_of
+from shaketable.inventory.table import read_table
 from shaketable.language import tell, translated
-from shaketable.tables import Cell, Sheet, condensed, read_sheet
+from shaketable.tables import Cell, Sheet, condensed
 
 log = logging.getLogger(__name__)
 
@@ -44,12 +41,14 @@ class Inventory:
         rows: the texts of each one's row.
         kind: what the file was read as, in words.
         columns: its columns, each with its header; None for one that is not used.
+        said_in: the file that says what it does not say of itself, None without one.
     """
 
     items: list[Item]
     rows: list[list[str]]
     kind: str
     columns: list[tuple[str, Column | None]]
+    said_in: Path | None = None
 
 
 def read_inventory(
@@ -65,8 +64,8 @@ def read_inventory(
         path: of the file.
         accept_sizes: whether objects may be smaller or larger than furniture is.
         sheet: name of the sheet of a workbook, where several may hold the objects.
-        columns: file that says what columns mean; if None the one beside the list, such as
-            list.xlsx.columns.toml, where there is one.
+        columns: file that says what columns mean, and which sheet is read; if None the one
+            beside the list, such as list.xlsx.columns.toml, where there is one.
 
     Raises:
         InputError: lists the faults of the file, one a line, with the row or cell of each.
@@ -83,33 +82,15 @@ def read_with_columns(
 ) -> Inventory:
     """The items of an inventory file and how its columns were understood, as `read_inventory`."""
     path = Path(path)
-    beside = mapping_beside(path) if columns is None else Path(columns)
-    said = read_mapping(beside) if beside else {}
-    if beside and columns is None:
-        log.warning(remark(path, tell("columns are read as {file} says", file=beside.name)))
-    table = read_sheet(
-        path, "Inventory", lambda texts: is_header(texts, said), sheet=sheet, strict=False
-    )
-    layout = layout_of(table, said)
-    header, rows = layout.header, layout.rows
-    lost = set(said) - {said_of(cell, said) for cell in header}
-    if lost and beside:
-        text = tell(
-            "no column of the list is called {names}", names=named(sorted(map(quoted, lost)), 5)
-        )
-        raise refused(beside, text)
-    known, faults = columns_of(table, header, said, layout.units)
+    found = read_table(path, sheet, columns)
+    table, layout, known = found.sheet, found.layout, found.columns
+    header, rows, faults = layout.header, layout.rows, list(found.faults)
     if faults:
         raise refusal(faults)
     if not rows:
         text = tell("holds no objects; each needs a row below the header")
         raise refused(path, "; ".join([text, *layout.remarks]))
-    # what the user says is not used is as if its heading began with #
-    quiet = [
-        cell._replace(text=f"#{cell.text}") if said.get(said_of(cell, said)) == "" else cell
-        for cell in header
-    ]
-    unread = _unread(quiet, known, rows)
+    unread = tuple(head.text for k, head in enumerate(header) if found.is_unread(k))
     items: list[Item] = []
     rows_of: list[list[Cell]] = []
     places: dict[tuple[str, ...], Cell] = {}
@@ -125,10 +106,10 @@ def read_with_columns(
         if name.startswith("#"):
             message = tell("begins with #, like a comment; delete the row, or only the sign")
             faults.append(table.fault(row[0], "comment", message, "name"))
-        found, item = item_of(
+        wrong, item = item_of(
             table, known, row, accept_sizes=accept_sizes, unread=unread, remarks=remarks
         )
-        faults += found
+        faults += wrong
         # the same name may be in several buildings, on several floors and in several rooms; in the
         # list of a portfolio, which names buildings, also more than once in a room
         here = tuple(_text_of(known, row, meaning) for meaning in SAME)
@@ -173,7 +154,7 @@ def read_with_columns(
     taken = [_taken(column) for column in known if column and column.near]
     for text in (*layout.remarks, *taken):
         log.warning(remark(path, text))
-    _warn_of_unused(path, quiet, known, unread)
+    _warn_of_unused(path, found.header, known, unread)
     warn_of_hints(path, items)
     if comments:
         told = named(comments, MOST_NAMED)
@@ -185,6 +166,7 @@ def read_with_columns(
         rows=[[cell.text for cell in row] for row in rows_of],
         kind=table.kind,
         columns=[(cell.text, column) for cell, column in used],
+        said_in=found.said.path,
     )
 
 
@@ -192,25 +174,6 @@ def _taken(column: Column) -> str:
     """What a column is taken for whose name is not a known one."""
     return tell(
         "{column} is taken for {meaning!r}", column=quoted(column.cell.text), meaning=column.meaning
-    )
-
-
-def _unread(
-    header: list[Cell], columns: list[Column | None], rows: list[list[Cell]]
-) -> tuple[str, ...]:
-    """Headers of columns that are not used and may say castors, anchors or shapes.
-
-    One that begins with # is left out on purpose.
-    """
-    return tuple(
-        head.text
-        for k, (head, column) in enumerate(zip(header, columns, strict=True))
-        if column is None
-        and head.text
-        and not head.text.startswith("#")
-        and may_say_what_decides(
-            head.text, [cell.text for row in rows for cell in row[k : k + 1]], ANSWERING
-        )
     )
 
 

@@ -11,9 +11,17 @@ from shaketable.tables import text_table, workbook
 from shaketable.tables.decimals import with_a_point
 from shaketable.tables.faults import condensed
 from shaketable.tables.sheet import Cell, Sheet
-from shaketable.tables.workbook import IsHeader
+from shaketable.tables.workbook import IsHeader, SheetChoiceError
 
-__all__ = ["Cell", "IsHeader", "Sheet", "condensed", "read_sheet", "with_a_point"]
+__all__ = [
+    "Cell",
+    "IsHeader",
+    "Sheet",
+    "SheetChoiceError",
+    "condensed",
+    "read_sheet",
+    "with_a_point",
+]
 
 
 def read_sheet(
@@ -36,6 +44,7 @@ def read_sheet(
             where nothing reads it.
 
     Raises:
+        SheetChoiceError: several sheets may be meant.
         InputError: says what is wrong with the file, and where.
     """
     raw = read_file(path)

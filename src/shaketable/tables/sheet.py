@@ -44,12 +44,16 @@ class Sheet:
         kind: what it was read as, in words.
         rows: cells of each row; a row may be shorter than others.
         decimal_comma: whether a comma in a number is a decimal sign.
+        name: of the sheet in a workbook, "" of a text.
+        sheets: names of all that hold anything; none of a text.
     """
 
     path: Path
     kind: str
     rows: list[list[Cell]]
     decimal_comma: bool
+    name: str = ""
+    sheets: tuple[str, ...] = ()
 
     @cached_property
     def decimal_signs(self) -> set[str]:

@@ -33,6 +33,16 @@ MOST_NAMED = 10
 _OPEN_DOCUMENT = b"mimetypeapplication/vnd.oasis.opendocument.spreadsheet"
 
 
+class SheetChoiceError(InputError):
+    """One of several sheets must be chosen.
+
+    Attributes:
+        sheets: names of those that hold anything.
+    """
+
+    sheets: tuple[str, ...] = ()
+
+
 #: Tells from a row's texts whether it names the columns that are looked for.
 IsHeader = Callable[[Iterable[str]], bool]
 
@@ -136,7 +146,8 @@ def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader, chosen: str
                 cell = cell._replace(wrong=translated(REMARKS["formula"]))
             cells.append(cell)
         rows.append(cells)
-    return Sheet(path, f"spreadsheet, sheet {quoted(sheet.title)}", rows, decimal_comma=True)
+    kind = f"spreadsheet, sheet {quoted(sheet.title)}"
+    return Sheet(path, kind, rows, decimal_comma=True, name=sheet.title, sheets=tuple(tables))
 
 
 def _values(sheet: Worksheet) -> Any:
@@ -191,7 +202,8 @@ def _open_document(
                 for k, cell in enumerate(cells, 1)
             ]
         )
-    return Sheet(path, f"spreadsheet, sheet {quoted(name)}", rows, decimal_comma=True)
+    kind = f"spreadsheet, sheet {quoted(name)}"
+    return Sheet(path, kind, rows, decimal_comma=True, name=name, sheets=tuple(filled))
 
 
 def _fill(table: list[list[Any]], merged: Remark) -> set[tuple[int, int]]:
@@ -242,9 +254,9 @@ def _only(
         _tell_others(path, tables, called[0])
         return called[0]
     usable = {
-        name: sum(any(cell not in (None, "") for cell in row) for row in rows)
+        name: below
         for name, rows in tables.items()
-        if any(is_header(map(str, row)) for row in rows[:HEADER_WITHIN])
+        if (below := _rows_below_header(rows, is_header)) is not None
     }
     if len(usable) != 1:
         text = tell("holds {count} sheets: {names}", count=len(tables), names=names)
@@ -252,16 +264,30 @@ def _only(
             most = max(usable, key=lambda name: usable[name])
             text = tell(
                 "several sheets may hold the objects: {names}. {likely} has the most rows, "
-                "{rows:,}; name the one to read",
+                "{rows:,}",
                 names=named([quoted(name) for name in usable], MOST_NAMED),
                 likely=quoted(most),
                 rows=usable[most],
             )
-        mend = tell("name it by --sheet, or save it alone")
-        raise refusal([Fault(path, "", "", "sheet", text, mend)])
+        mend = tell(
+            "name it by --sheet, or in a file {file} as sheet = {example}, or save it alone",
+            file=quoted(f"{path.name}.columns.toml"),
+            example='"…"',
+        )
+        error = refusal([Fault(path, "", "", "sheet", text, mend)], SheetChoiceError)
+        error.sheets = tuple(tables)
+        raise error
     (name,) = usable
     _tell_others(path, tables, name)
     return name
+
+
+def _rows_below_header(rows: Sequence[Sequence[object]], is_header: IsHeader) -> int | None:
+    """Rows with text below a header that is among the first; None if there is none."""
+    for k, row in enumerate(rows[:HEADER_WITHIN], 1):
+        if is_header(map(str, row)):
+            return sum(any(cell not in (None, "") for cell in each) for each in rows[k:])
+    return None
 
 
 def _tell_others(path: Path, tables: Mapping[str, object], name: str) -> None:

@@ -189,24 +189,43 @@ class UploadedRecord(BaseModel):
 
 
 class ColumnRead(BaseModel):
-    """A column of a list, and what it was read as; null where it is not used."""
+    """A column of a list, and what it was read as."""
 
     header: str
-    meaning: str | None
-    unit: str
+    meaning: str = Field(description='"" where it is not used')
+    unit: str = Field(
+        description="where it is not used, what its name says in brackets, if anything"
+    )
+    unused: bool = Field(description="somebody said that it is not used")
+    asked: bool = Field(
+        description="it may say castors, anchors or shapes and is not understood: until somebody "
+        "says what it is, nothing gets a class"
+    )
+
+
+class ColumnMeaning(BaseModel):
+    """What a column may mean."""
+
+    meaning: str
+    label: str = Field(description="in words")
+    units: list[str] = Field(description="in which it may be, none where it has none")
 
 
 class Understood(BaseModel):
-    """A list as it was read."""
+    """A list as it was read; of a workbook of which a sheet must be chosen, that alone."""
 
-    columns: list[ColumnRead]
-    rows: list[list[str]]
-    numbers: list[int] = Field(description="of the rows, as messages about the list count them")
+    sheets: list[str] = Field(description="of a workbook; none of a text")
+    sheet: str = Field("", description="that was read")
+    columns: list[ColumnRead] = []
+    meanings: list[ColumnMeaning] = Field([], description="that a column may have")
+    rows: list[list[str]] = []
+    numbers: list[int] = Field([], description="of the rows, as messages count them")
     separator: Literal[",", ";"] = Field(
-        description="between cells, to write the list as CSV in which its numbers mean the same"
+        ",",
+        description="between cells of a CSV in which the list's numbers mean the same",
     )
-    objects: int = Field(description="kinds of object that were read")
-    notes: list[str] = Field(description="what was read and is not used here")
+    objects: int = Field(0, description="kinds of object that were read")
+    notes: list[str] = Field([], description="what was read and is not used here")
     faults: list[str] = Field(description="what must be corrected first, by row and column")
 
 

@@ -9,11 +9,11 @@ from fastapi import FastAPI, HTTPException, Query, Request
 from fastapi.responses import FileResponse, StreamingResponse
 from pydantic import TypeAdapter
 
-from shaketable.web import lists
+from shaketable.web import list_reading, lists
 from shaketable.web.answers import Assessed, Started, Understood
 from shaketable.web.jobs import FILES, Jobs
 from shaketable.web.limits import LIST_SECONDS
-from shaketable.web.questions import Assess
+from shaketable.web.questions import COLUMNS_SAID, MOST_COLUMNS_SAID, Assess
 from shaketable.web.room_answers import RoomAssessed
 from shaketable.web.snippets import described
 from shaketable.web.visitor import (
@@ -43,9 +43,15 @@ def add_list_addresses(app: FastAPI) -> None:
         accept_sizes: Annotated[
             bool, Query(description="take sizes that furniture does not have")
         ] = False,
+        sheet: Annotated[
+            str | None, Query(max_length=100, description="to read, where a workbook has several")
+        ] = None,
+        columns: Annotated[str, Query(max_length=MOST_COLUMNS_SAID, description=COLUMNS_SAID)] = "",
     ) -> Understood:
         given = (Path(name).name, await request.body(), accept_sizes, language_of(request))
-        return await answer_of(request, visitor, LIST_SECONDS, lists.understand, *given)
+        return await answer_of(
+            request, visitor, LIST_SECONDS, list_reading.understand, *given, sheet, columns
+        )
 
     @app.post("/api/assess", description=described("assess"), status_code=202)
     async def begin(asked: Assess, request: Request, visitor: Visitor = None) -> Started:

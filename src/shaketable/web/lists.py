@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-import tempfile
-from collections.abc import Sequence
 from pathlib import Path
 
 import pandas as pd
@@ -14,72 +12,24 @@ from shaketable.assess import Assessment, ItemResult, assess
 from shaketable.atomic_files import write_csv
 from shaketable.body import Body
 from shaketable.engine.pool import at_most
-from shaketable.errors import InputError
-from shaketable.inventory import BaseShape, Inventory, Item, read_with_columns
-from shaketable.inventory.columns import columns_of, is_header
-from shaketable.inventory.layout import layout_of
-from shaketable.language import LANGUAGES, Language, speaking, tell, translated
+from shaketable.inventory import BaseShape, Inventory, Item
+from shaketable.inventory.mapping import SUFFIX
+from shaketable.language import LANGUAGES, Language, speaking, tell
 from shaketable.report.assessment_folder import write_results
 from shaketable.report.run_log import RunLog, sha256
 from shaketable.report.words import advice, answer, findings, headline
 from shaketable.report.words.numbers import in_hundred, limits_in_hundred
-from shaketable.tables import read_sheet
 from shaketable.units import degrees
-from shaketable.web.answers import Assessed, ColumnRead, Counts, Ranked, Understood
+from shaketable.web.answers import Assessed, Counts, Ranked
 from shaketable.web.job_files import REPORT, RESULTS, Watch
-from shaketable.web.limits import MOST_ROWS
+from shaketable.web.list_reading import GivenList, not_used_here, without_level
 from shaketable.web.questions import Assess, Thing, Upright
 from shaketable.web.shaking import pairs_of, suite_of
-from shaketable.web.uploads import Upload
 from shaketable.web.work import in_hundreds
 
 REMARKS = {"en": "list.csv", "es": "lista.csv", "de": "liste.csv"}
 assert set(REMARKS) == set(LANGUAGES)
 REPORTS = {each: "report.html" if each == "en" else f"report.{each}.html" for each in LANGUAGES}
-
-
-def understand(
-    name: str, data: bytes, accept_sizes: bool = False, language: Language = "en"
-) -> Understood:
-    """A list as it was read, with what is wrong with it, told in a language."""
-    with speaking(language):
-        return _understood(name, data, accept_sizes)
-
-
-def _understood(name: str, data: bytes, accept_sizes: bool) -> Understood:
-    with tempfile.TemporaryDirectory(prefix="shaketable-") as folder:
-        upload = Upload.written(Path(folder), name, data)
-        with RunLog(shown=upload.fault) as log:
-            try:
-                sheet = read_sheet(upload.path, "Inventory", is_header, strict=False)
-                layout = layout_of(sheet)
-                header, rows = layout.header, layout.rows
-                columns, faults = columns_of(sheet, header, units=layout.units)
-                _require_rows(len(rows))
-            except InputError as error:
-                raise upload.refusal(error) from None
-            items: list[Item] = []
-            if not faults:
-                try:
-                    items = read_with_columns(upload.path, accept_sizes=accept_sizes).items
-                except InputError as error:
-                    faults = list(error.listed)
-        return Understood(
-            columns=[
-                ColumnRead(
-                    header=cell.text,
-                    meaning=translated(column.meaning.replace("_", " ")) if column else None,
-                    unit=column.unit if column else "",
-                )
-                for cell, column in zip(header, columns, strict=True)
-            ],
-            rows=[[cell.text for cell in row] for row in rows],
-            numbers=[row[0].row for row in rows],
-            separator=";" if sheet.decimal_comma else ",",
-            objects=len(items),
-            notes=[*_notes(items), *log.messages],
-            faults=[str(upload.fault(fault)) for fault in faults],
-        )
 
 
 def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
@@ -91,12 +41,13 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
         language: of the errors.
     """
     place = Path(folder)
-    upload = Upload.written(place, asked.name, asked.text.encode())
+    data = asked.text.encode()
+    given = GivenList.written(place, asked.name, data, asked.columns, asked.accept_sizes)
     motions = suite_of(asked.suite) if asked.planar else pairs_of(asked.suite)
     # other workers need the other cores
-    with RunLog(_command(asked), shown=upload.fault) as log, at_most(1):
+    with RunLog(_command(asked), shown=given.fault) as log, at_most(1):
         with speaking(language):
-            inventory, _ = _inventory(asked, upload)
+            inventory, _ = _inventory(given)
         items, read = inventory.items, len(log.messages)
         result = assess(
             items, motions, scale=asked.scale, planar=asked.planar, progress=Watch(place)
@@ -105,11 +56,16 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
         notes = {}
         for each in LANGUAGES:  # what reading it warns of is told again in each
             with speaking(each):
-                notes[each] = [*_inventory(asked, upload)[1], *during]
+                notes[each] = [*_inventory(given)[1], *during]
         run = {
             **log.entries(),
             "messages": notes["en"],
-            "inventory": {"path": asked.name, "sha256": sha256(upload.path), "items": len(items)},
+            "inventory": {
+                "path": asked.name,
+                "sha256": sha256(given.file.path),
+                "items": len(items),
+                "columns": asked.columns,
+            },
             "motions": {"description": _by(len(motions), asked), "sources": []},
             "scaling": "",
         }
@@ -121,15 +77,11 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
         (place / RESULTS[each]).write_text(told, encoding="utf-8")
 
 
-def _inventory(asked: Assess, upload: Upload) -> tuple[Inventory, list[str]]:
+def _inventory(given: GivenList) -> tuple[Inventory, list[str]]:
     """A list, and what is said of it, in the language that is spoken."""
-    with RunLog(shown=upload.fault) as log:
-        try:
-            inventory = read_with_columns(upload.path, accept_sizes=asked.accept_sizes)
-        except InputError as error:
-            raise upload.refusal(error) from None
-        _require_rows(len(inventory.items))
-    return inventory, [*_notes(inventory.items), *log.messages]
+    with RunLog(shown=given.fault) as log:
+        inventory = given.read()
+    return inventory, [*not_used_here(inventory.items), *without_level(log.messages)]
 
 
 def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
@@ -173,23 +125,9 @@ def _command(asked: Assess) -> list[str]:
     scale = [] if asked.scale == 1.0 else ["--scale", f"{asked.scale:g}"]
     planar = ["--planar"] if asked.planar else []
     sizes = ["--accept-sizes"] if asked.accept_sizes else []
-    return ["shaketable", "assess", asked.name, "--motions", asked.suite, *scale, *planar, *sizes]
-
-
-def _notes(items: Sequence[Item]) -> list[str]:
-    """What a list says and this page does not use."""
-    floors = sum(1 for item in items if item.floor or item.building)
-    if not floors:
-        return []
-    return [
-        tell(
-            "{floors} of {rows} rows name a floor or a building. Here everything stands on the "
-            "ground: on upper floors shaking is stronger, and more falls. The command line takes "
-            "floors (shaketable assess --building).",
-            floors=floors,
-            rows=len(items),
-        )
-    ]
+    said = ["--columns", f"{asked.name}{SUFFIX}"] if asked.columns.strip() else []
+    which = ["--motions", asked.suite, *scale, *planar, *sizes, *said]
+    return ["shaketable", "assess", asked.name, *which]
 
 
 def _assessed(result: Assessment, notes: list[str]) -> Assessed:
@@ -272,14 +210,3 @@ def _is_plain(item: Item) -> bool:
     """Whether it is a box or a cylinder with its weight above the middle."""
     bodies = [body for body in (item.body, item.sideways) if body]
     return item.shape is not BaseShape.FEET and all(body.left == body.right for body in bodies)
-
-
-def _require_rows(count: int) -> None:
-    if count > MOST_ROWS:
-        raise InputError(
-            tell(
-                "the list has {count:,} rows; at most {most:,} are taken here",
-                count=count,
-                most=MOST_ROWS,
-            )
-        )

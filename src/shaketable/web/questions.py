@@ -209,6 +209,13 @@ class ManyInSpace(Question):
     curve: bool = Field(True, description="also at other strengths, which takes some seconds")
 
 
+MOST_COLUMNS_SAID = 20_000  # characters
+COLUMNS_SAID = (
+    "what columns mean where their headings do not say it, as TOML: a table [columns] with lines "
+    'such as "H" = "height_cm", and "" for a column that is not used'
+)
+
+
 class Assess(Question):
     """A list of objects under a suite."""
 
@@ -216,6 +223,7 @@ class Assess(Question):
     text: str = Field(max_length=2_000_000, description="the list, as CSV")
     suite: SuiteName = "fema-p695-both-directions"
     scale: Scale = 1.0
+    columns: str = Field("", max_length=MOST_COLUMNS_SAID, description=COLUMNS_SAID)
     accept_sizes: bool = Field(False, description="take sizes that furniture does not have")
     planar: bool = Field(False, description="leave three dimensions out, which is quicker")
 

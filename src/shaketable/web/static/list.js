@@ -2,12 +2,14 @@
 
 import { ask, begin, understand, result, stop, watch } from "./api.js";
 import { Player } from "./film.js";
+import { SUFFIX, saidOf, showColumns, showSheets } from "./list_columns.js";
 import { failure, find, make } from "./page.js";
 import { pathOf } from "./state.js";
 import { number, prefer, preferred, say, speak } from "./texts.js";
 import { sentence } from "./verdict.js";
 
-const view = { list: null, name: "list.csv", job: null, found: null, events: null, told: null };
+// `file` is the one that was given: its name, its data, and what it says of its columns.
+const view = { list: null, file: null, name: "list.csv", job: null, found: null, events: null, told: null };
 const SUITE = "fema-p695-both-directions"; // by which lists are shaken
 const EXAMPLE = "name,quantity,location,depth_m,width_m,height_m\nBookcase,8,corridor,0.32,0.9,1.8\nCabinet,3,office,0.45,0.9,1.1\n";
 
@@ -39,7 +41,7 @@ function asking(on) {
 }
 
 // Reads a list; if it cannot be read, the one that `kept` is, with its cells, stays.
-async function take(name, data, kept = null) {
+async function take(name, data, { kept = null, sheet = "", columns = "" } = {}) {
   await dressed; // words may still be on their way
   const mine = (asked += 1);
   end();
@@ -47,11 +49,13 @@ async function take(name, data, kept = null) {
   Object.assign(view, { list: null, found: null, job: null });
   for (const id of ["found", "running", "understood"]) find(id).hidden = true;
   for (const id of ["faults", "notes"]) find(id).replaceChildren();
+  if (!kept) find("sheets").hidden = true;
   tell("list_reading");
   asking(true);
   try {
-    const list = await understand(name, data, find("sizes").checked, (wait) => tell("busy", { wait }));
+    const list = await understood(name, data, { sheet, columns });
     if (mine !== asked) return;
+    if (kept) carry(kept, list);
     Object.assign(view, { list, name });
     showList();
   } catch (error) {
@@ -64,22 +68,56 @@ async function take(name, data, kept = null) {
   }
 }
 
+function understood(name, data, options) {
+  const given = { sizes: find("sizes").checked, ...options };
+  return understand(name, data, given, (wait) => tell("busy", { wait }));
+}
+
+// What the list that was given said and the cells of the page do not: sheets, units beside names.
+function carry(before, list) {
+  Object.assign(list, { sheets: before.sheets, sheet: before.sheet });
+  list.columns.forEach((column, k) => { if (!column.meaning) column.unit = before.columns[k]?.unit ?? ""; });
+}
+
+// The list as it stands in the page, read again.
+function again() {
+  take(view.name.replace(/\.[^.]*$/, ".csv"), csv(), { kept: view.list, columns: saidOf(view.list.columns) });
+}
+
+// Reads files that were given: a list, and the file that says what its columns mean.
+async function takeFiles(files) {
+  const all = [...files];
+  const said = all.find((each) => each.name.endsWith(SUFFIX));
+  const list = all.find((each) => each !== said);
+  if (!list) return;
+  view.file = { name: list.name, data: list, columns: said ? await said.text() : "" };
+  takeSheet();
+}
+
+function takeSheet(sheet = "") {
+  const { name, data, columns } = view.file;
+  take(name, data, { sheet, columns });
+}
+
 function showList() {
-  const { columns, rows, numbers, objects, faults, notes } = view.list;
-  tell(faults.length ? "list_faults" : "list_read", { objects: number(objects, 5) });
+  const { columns, rows, numbers, objects, faults, notes, sheets, sheet } = view.list;
+  showSheets(sheets, sheet, takeSheet);
+  const which = !columns.length && sheets.length;
+  tell(which ? "list_which" : faults.length ? "list_faults" : "list_read", { objects: number(objects, 5) });
   find("faults").replaceChildren(...faults.map((fault) => make("li", fault)));
   find("notes").replaceChildren(...notes.map((note) => make("li", note)));
+  if (which) return;
+  showColumns(view.list, view.file?.name ?? view.name, again);
   const head = make("tr");
   head.append(make("td"));
   for (const column of columns) {
-    const { header, meaning, unit } = column;
+    const { header } = column;
     const cell = make("th", "", { scope: "col" });
     const box = make("input", "", { value: header, maxLength: 500 });
     box.setAttribute("aria-label", say("list_heading", { heading: header }));
-    box.addEventListener("input", () => { column.header = box.value; });
+    // another heading is read anew: what the one before meant is forgotten
+    box.addEventListener("input", () => Object.assign(column, { header: box.value, meaning: "", unused: false }));
     cell.append(box);
-    const as = meaning ? `${meaning}${unit ? ` [${unit}]` : ""}` : say("list_unused");
-    cell.append(make("span", as, { className: "small" }));
     head.append(cell);
   }
   const body = make("tbody");
@@ -111,12 +149,12 @@ function csv() {
 }
 
 async function run() {
-  const text = csv();
+  const text = csv(), columns = saidOf(view.list.columns);
   const mine = (asked += 1);
   end();
   asking(true);
   try {
-    const checked = await understand("list.csv", text, find("sizes").checked, (wait) => tell("busy", { wait }));
+    const checked = await understood("list.csv", text, { columns });
     if (mine !== asked) return;
     if (checked.faults.length) {
       view.list.faults = checked.faults;
@@ -125,7 +163,7 @@ async function run() {
     }
     const name = `${view.name.replace(/\.[^.]*$/, "").slice(0, 100)}.csv`;
     const { id } = await begin({
-      name, text, suite: SUITE, planar: find("planar").checked, accept_sizes: find("sizes").checked,
+      name, text, columns, suite: SUITE, planar: find("planar").checked, accept_sizes: find("sizes").checked,
     });
     if (mine === asked) follow(id);
     else stop(id).catch(() => {});
@@ -257,10 +295,14 @@ async function retell() {
   const last = view.told, mine = asked, wanted = document.documentElement.lang;
   if (last) tell(...last);
   try {
-    const list = view.list && await understand("list.csv", csv(), find("sizes").checked, () => {});
+    const { columns } = view.list ?? {};
+    const list = columns?.length
+      ? await understood("list.csv", csv(), { columns: saidOf(columns) })
+      : view.list && await understood(view.file.name, view.file.data, {});
     const found = view.found && await result(view.job);
     if (mine !== asked || wanted !== document.documentElement.lang) return;
     if (list) {
+      carry(view.list, list);
       Object.assign(view.list, list);
       showList();
     }
@@ -276,9 +318,12 @@ async function retell() {
 
 // A list that was mended can be chosen again: browsers tell only of another one.
 find("file").addEventListener("click", () => { find("file").value = ""; });
-find("file").addEventListener("change", () => { const file = find("file").files[0]; if (file) take(file.name, file); });
-find("empty").addEventListener("click", () => take("example.csv", EXAMPLE));
-find("again").addEventListener("click", () => take(view.name.replace(/\.[^.]*$/, ".csv"), csv(), view.list));
+find("file").addEventListener("change", () => { takeFiles(find("file").files); });
+find("empty").addEventListener("click", () => {
+  view.file = { name: "example.csv", data: EXAMPLE, columns: "" };
+  takeSheet();
+});
+find("again").addEventListener("click", again);
 find("run").addEventListener("click", run);
 find("stop").addEventListener("click", () => stop(view.job).catch(fail));
 addEventListener("hashchange", () => location.reload()); // the address of another result
@@ -294,8 +339,7 @@ addEventListener("afterprint", () => { for (const each of folded) each.open = fa
 for (const kind of ["dragover", "drop"]) {
   document.addEventListener(kind, (event) => {
     event.preventDefault();
-    const file = event.dataTransfer?.files[0];
-    if (kind === "drop" && file) take(file.name, file);
+    if (kind === "drop" && event.dataTransfer) takeFiles(event.dataTransfer.files);
   });
 }
 

@@ -1,0 +1,219 @@
+"""A list that a visitor gave: how it was understood, and what its columns mean."""
+
+from __future__ import annotations
+
+import tempfile
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from shaketable.errors import Fault, InputError, refusal
+from shaketable.inventory import Inventory, Item, read_with_columns
+from shaketable.inventory.columns import LENGTH, UNITS, WORDS, Column, bracketed
+from shaketable.inventory.mapping import SUFFIX
+from shaketable.inventory.table import Table, read_table
+from shaketable.inventory.vocabulary import heading
+from shaketable.language import Language, speaking, tell, translated
+from shaketable.report.run_log import RunLog
+from shaketable.tables import SheetChoiceError
+from shaketable.web.answers import ColumnMeaning, ColumnRead, Understood
+from shaketable.web.limits import MOST_ROWS
+from shaketable.web.uploads import Upload
+
+
+class GivenList(NamedTuple):
+    """Files of a list, as a visitor gave them.
+
+    Attributes:
+        file: the list.
+        columns: what says the meanings of its columns, if anything does.
+        accept_sizes: whether objects may be of sizes that furniture does not have.
+    """
+
+    file: Upload
+    columns: Upload | None = None
+    accept_sizes: bool = False
+
+    @classmethod
+    def written(
+        cls, folder: Path, name: str, data: bytes, columns: str = "", accept_sizes: bool = False
+    ) -> GivenList:
+        """A list, written into a folder, with the text of the file that says its columns."""
+        said = columns.encode()
+        return cls(
+            Upload.written(folder, name, data),
+            Upload.written(folder, f"{name}{SUFFIX}", said) if said.strip() else None,
+            accept_sizes,
+        )
+
+    @property
+    def said(self) -> Path | None:
+        """Where its columns are said."""
+        return self.columns.path if self.columns else None
+
+    def read(self, sheet: str | None = None) -> Inventory:
+        """Its objects.
+
+        Raises:
+            InputError: in the visitor's words.
+        """
+        try:
+            found = read_with_columns(
+                self.file.path, accept_sizes=self.accept_sizes, sheet=sheet, columns=self.said
+            )
+            _require_rows(len(found.items))
+        except InputError as error:
+            raise self.refusal(error) from None
+        return found
+
+    def fault(self, fault: Fault) -> Fault:
+        """A fault with the visitor's own names of the files."""
+        for each in (self.columns, self.file):
+            fault = each.fault(fault) if each else fault
+        return fault
+
+    def refusal(self, error: InputError) -> InputError:
+        """An error in the visitor's words."""
+        return refusal([self.fault(each) for each in error.listed])
+
+
+def understand(
+    name: str,
+    data: bytes,
+    accept_sizes: bool = False,
+    language: Language = "en",
+    sheet: str | None = None,
+    columns: str = "",
+) -> Understood:
+    """A list as it was read, with what is wrong with it, told in a language.
+
+    Args:
+        name, data: of its file.
+        accept_sizes: whether objects may be of sizes that furniture does not have.
+        language: of what is told.
+        sheet: that is read, where a workbook has several.
+        columns: text of the file that says what its columns mean.
+    """
+    with speaking(language), tempfile.TemporaryDirectory(prefix="shaketable-") as folder:
+        given = GivenList.written(Path(folder), name, data, columns, accept_sizes)
+        with RunLog(shown=given.fault) as log:
+            try:
+                table = read_table(given.file.path, sheet, given.said)
+                _require_rows(len(table.layout.rows))
+            except SheetChoiceError as choice:
+                faults = [
+                    given.fault(each)._replace(mend=tell("choose it above"))
+                    for each in choice.listed
+                ]
+                return Understood(sheets=list(choice.sheets), faults=_told(faults))
+            except InputError as error:
+                raise given.refusal(error) from None
+        return _understood(given, table, log)
+
+
+def _understood(given: GivenList, table: Table, log: RunLog) -> Understood:
+    items: list[Item] = []
+    faults = [given.fault(each) for each in table.faults]
+    notes = log.messages
+    if not faults:
+        with RunLog(shown=given.fault) as log:
+            try:
+                items = given.read(table.sheet.name or None).items
+            except InputError as error:
+                faults = list(error.listed)
+        notes = log.messages
+    return Understood(
+        sheets=list(table.sheet.sheets),
+        sheet=table.sheet.name,
+        columns=_columns(table),
+        meanings=_meanings(),
+        rows=[[cell.text for cell in row] for row in table.layout.rows],
+        numbers=[row[0].row for row in table.layout.rows],
+        separator=";" if table.sheet.decimal_comma else ",",
+        objects=len(items),
+        notes=[*not_used_here(items), *without_level(notes)],
+        faults=_told(faults),
+    )
+
+
+def _columns(table: Table) -> list[ColumnRead]:
+    """Columns, those of one heading told apart by a number, as each is said by its heading."""
+    found, seen = [], Counter[str]()
+    elsewhere = table.layout.units
+    for k, (cell, column) in enumerate(zip(table.layout.header, table.columns, strict=True)):
+        same = heading(cell.text)
+        seen[same] += 1
+        again = f" {seen[same]}" if cell.text and seen[same] > 1 else ""
+        found.append(
+            ColumnRead(
+                header=f"{cell.text}{again}",
+                meaning=column.meaning if column else "",
+                unit=_offered(column) if column else elsewhere.get(k) or bracketed(cell.text),
+                unused=table.is_said_unused(cell),
+                asked=table.is_unread(k),
+            )
+        )
+    return found
+
+
+def _meanings() -> list[ColumnMeaning]:
+    """All that a column may mean."""
+    return [
+        ColumnMeaning(
+            meaning=meaning,
+            label=translated(meaning.replace("_", " ")),
+            units=list(_by_factor(meaning).values()),
+        )
+        for meaning in WORDS
+        if meaning != LENGTH
+    ]
+
+
+def _offered(column: Column) -> str:
+    """The unit of a column as it is offered: "cm" where the list has centimetres."""
+    return _by_factor(column.meaning)[column.factor] if column.unit else ""
+
+
+def _by_factor(meaning: str) -> dict[float, str]:
+    """The units of a meaning, one spelling each."""
+    found: dict[float, str] = {}
+    for unit, factor in UNITS.get(meaning, {}).items():
+        found.setdefault(factor, unit)
+    return found
+
+
+def not_used_here(items: Sequence[Item]) -> list[str]:
+    """What a list says and this page does not use."""
+    floors = sum(1 for item in items if item.floor or item.building)
+    if not floors:
+        return []
+    return [
+        tell(
+            "{floors} of {rows} rows name a floor or a building. Here everything stands on the "
+            "ground: on upper floors shaking is stronger, and more falls. The command line takes "
+            "floors (shaketable assess --building).",
+            floors=floors,
+            rows=len(items),
+        )
+    ]
+
+
+def without_level(messages: Sequence[str]) -> list[str]:
+    """Messages of a log without "WARNING", which says nothing where there are no others."""
+    return [each.removeprefix("WARNING: ") for each in messages]
+
+
+def _told(faults: Sequence[Fault]) -> list[str]:
+    return [str(each) for each in faults]
+
+
+def _require_rows(count: int) -> None:
+    if count > MOST_ROWS:
+        raise InputError(
+            tell(
+                "the list has {count:,} rows; at most {most:,} are taken here",
+                count=count,
+                most=MOST_ROWS,
+            )
+        )
