@@ -4,6 +4,7 @@
 # make lint     format, style, types   make bench       speed, beside other software
 # make lock     renew the lock files   make clean       remove what make has made
 # make wheel    a wheel with compiled code, for Linux on x86-64
+# make app      a folder that runs without Python, for this platform
 # make interop  exported files read by OpenQuake and pelicun
 # make test-web the page in headless Chromium
 # make fuzz     COUNT (20,000) damaged files of every kind, and each command killed KILLS (3) times
@@ -24,7 +25,7 @@ PART ?= $$(date +%j)/40
 # bytecode is kept, even where the environment says otherwise: a process compiles it for up to 4 s
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: assess fuzz test test-slow test-part test-web lint format bench interop wheel lock clean
+.PHONY: assess fuzz test test-slow test-part test-web lint format bench interop wheel app lock clean
 
 assess: $(VENV)/installed
 	$(BIN)/shaketable assess $(ARGS) --out $(OUT) --overwrite
@@ -69,6 +70,9 @@ bench: $(VENV)/installed requirements-bench.lock
 
 interop: $(VENV)/installed
 	$(BIN)/python -m benchmarks.interop
+
+app: $(VENV)/installed
+	$(BIN)/python -m scripts.build_app
 
 wheel: $(VENV)/installed
 	$(BIN)/python -m scripts.compile_wheel

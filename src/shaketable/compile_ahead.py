@@ -83,7 +83,8 @@ def compile_ahead(names: Iterable[str] = DRIVERS, *, progress: Progress = True) 
     if not missing:
         return
     with meter(TITLE, len(missing), progress) as done:
-        if len(missing) == 1 or available_cores() == 1:
+        one_process = getattr(sys, "frozen", False)  # an application that is no interpreter
+        if len(missing) == 1 or available_cores() == 1 or one_process:
             for name in missing:
                 compile_driver(name)
                 done(1)

@@ -95,6 +95,7 @@ TRIED = {
         "units": Option("--units m/s2", "results.csv"),
         "time_step_s": Option("--time-step-s 0.02", "results.csv"),
         "accept_sizes": Option("--accept-sizes", "said", f"odd.csv {FEW} --planar --out out"),
+        "catalogue": Option("--catalogue", "said", f"names.csv {FEW} --planar --out out"),
         "sheet": Option("--sheet west", "said", f"two.xlsx {FEW} --planar --out out"),
         "columns": Option("--columns map.toml", "results.csv"),
         "profile": Option("--profile museum", "report.html"),
@@ -222,6 +223,8 @@ TRIED = {
     "hazard": {
         "curve": Option("", "rates.csv", f"{EXAMPLES / 'hazard.csv'} list.csv {FEW} --out out"),
         "inventory": Option("", "rates.csv", f"curve.csv other.csv {FEW} --out out"),
+        "accept_sizes": Option("--accept-sizes", "said", f"curve.csv odd.csv {FEW} --out out"),
+        "catalogue": Option("--catalogue", "said", f"curve.csv names.csv {FEW} --out out"),
         "sheet": Option("--sheet west", "said", f"curve.csv two.xlsx {FEW} --out out"),
         "columns": Option("--columns map.toml", "rates.csv"),
         "measure": Option(
@@ -311,6 +314,7 @@ TRIED = {
         "units": Option("--units m/s2", "scenario.csv"),
         "time_step_s": Option("--time-step-s 0.02", "scenario.csv"),
         "accept_sizes": Option("--accept-sizes", "said", f"odd.csv {QUAKE} {FEW} --out out"),
+        "catalogue": Option("--catalogue", "said", f"names.csv {QUAKE} {FEW} --out out"),
         "sheet": Option("--sheet west", "said", f"two.xlsx {QUAKE} {FEW} --out out"),
         "columns": Option("--columns map.toml", "scenario.csv"),
         "seed": Option("--seed 5", "scenario.csv"),
@@ -380,6 +384,7 @@ ELSEWHERE = {
     "overwrite": "tests/cli/test_cli.py::test_overwrite_replaces_results_and_nothing_else",
 }
 COMMANDS_ELSEWHERE = {
+    "open": "tests/cli/test_open.py",
     "serve": "tests/cli/test_serve.py",
     "suites": "tests/cli/test_cli.py",
     **dict.fromkeys(

@@ -81,6 +81,7 @@ def write_small_files(folder: Path) -> None:
             sheet.append(row)
     book.save(folder / "two.xlsx")
     (folder / "odd.csv").write_text(LIST + "needle,0.01,0.3,1.0,none,1,1\n")
+    (folder / "names.csv").write_text(LIST + "bookcase,,,,none,1,1\n")
     (folder / "curve.csv").write_text("PGV [cm/s],annual rate\n5,0.12\n20,0.015\n80,0.0004\n")
     (folder / "bare.csv").write_text("level,annual rate\n5,0.12\n20,0.015\n80,0.0004\n")
     (folder / "chances.csv").write_text("PGV [cm/s],PoE\n5,0.9\n20,0.3\n80,0.01\n")

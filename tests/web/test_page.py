@@ -574,6 +574,28 @@ def test_the_sheet_is_chosen(page: Any, address: str, tmp_path: Path) -> None:
     assert page.input_value("#cells tbody input >> nth=0") == "Old 0"
 
 
+def test_sizes_that_are_missing_are_taken_from_the_catalogue(
+    page: Any, address: str, tmp_path: Path
+) -> None:
+    """Only once it is asked for; the card says what was assumed."""
+    mine = tmp_path / "names.csv"
+    mine.write_text("Gegenstand,Anzahl\nBücherregal,3\nGasflasche,2\n", "utf-8")
+    page.goto(f"{address}/list")
+    page.set_input_files("#file", str(mine))
+    page.wait_for_selector("#faults li:has-text('or take usual sizes from the catalogue, below')")
+    assert page.is_disabled("#run")
+    page.check("#catalogue")
+    page.wait_for_selector("text=2 kinds of object were read")
+    assert "'Gasflasche' as 'gas cylinder large'" in page.inner_text("#notes")
+    page.check("#planar")
+    page.click("#run")
+    page.wait_for_selector("#cards .card", timeout=300_000)
+    page.click("#cards .card:has-text('Bücherregal') summary")
+    assert "depth 25 cm (of 25 to 40)" in page.inner_text("#cards")
+    page.select_option("#language", "de")
+    page.wait_for_selector("text=Tiefe 25 cm (von 25 bis 40)")
+
+
 def test_what_was_changed_is_told(page: Any) -> None:
     """No verdict stands beside another thing than its own, however late it comes."""
     page.fill("#width_m", "90")

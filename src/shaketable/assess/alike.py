@@ -41,6 +41,8 @@ def as_simulated(item: Item) -> Item:
         must_not_fall=False,
         may_be_round=False,
         unread=(),
+        assumed=(),
+        assumed_as="",
     )
 
 

@@ -16,12 +16,13 @@ from shaketable.cli.console import Printable, say
 from shaketable.cli.examples import epilog
 from shaketable.cli.lazy import LazyGroup
 from shaketable.errors import InputError, SimulationError
+from shaketable.extras import missing, remedy
 from shaketable.inputs import require_readable
 
 app = typer.Typer(
     cls=LazyGroup,
     add_completion=False,
-    no_args_is_help=True,
+    invoke_without_command=True,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -55,6 +56,7 @@ class _Once(logging.Filter):
 
 @app.callback()
 def _options(
+    context: typer.Context,
     version: Annotated[
         bool,
         typer.Option(
@@ -66,6 +68,19 @@ def _options(
     handler.addFilter(_Once())
     handler.setFormatter(Printable("%(levelname)s: %(message)s"))
     logging.basicConfig(level=logging.WARNING, handlers=[handler])
+    if context.invoked_subcommand is None:
+        _begin(context)
+
+
+def _begin(context: typer.Context) -> None:
+    """Without any word: the page, or the help where its packages are not installed."""
+    if missing("web"):
+        say(context.get_help())
+        say(f"\nThe page in the browser needs more packages: {remedy('web')}")
+        return
+    from shaketable.cli.open import open as open_page
+
+    open_page()
 
 
 @app.command("help")

@@ -130,10 +130,6 @@ def assess(
         ),
     ] = False,
     list_options: ListOptions,
-    accept_sizes: Annotated[
-        bool,
-        typer.Option("--accept-sizes", help="Accept objects smaller or larger than furniture."),
-    ] = False,
     language: LanguageName = "en",
     pdf: Annotated[
         bool,
@@ -193,7 +189,7 @@ def assess(
         elif site is not None:
             raise InputError("--site: is for --hazard")
         path = inventory or example_inventory()
-        table = read_with_columns(path, accept_sizes=accept_sizes, **list_options.as_list)
+        table = read_with_columns(path, **list_options.as_list)
         print_columns(path, table, Console(stderr=True))
         shaking = motion_options.load(() if building else (DEFAULT_SUITE,))
         still = [item for item in table.items if item.support_length and not item.rolls]

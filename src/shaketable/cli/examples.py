@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 EXAMPLES = {
-    "": ("shaketable assess", "shaketable help assess"),
+    "": ("shaketable", "shaketable assess rooms.xlsx"),
+    "open": ("shaketable open", "shaketable open --port 9000"),
     "assess": (
         "shaketable assess rooms.xlsx --out rooms",
         "shaketable assess rooms.csv --building clinic.toml --pga-levels 0.2g,0.4g,0.6g",

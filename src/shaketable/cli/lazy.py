@@ -13,6 +13,7 @@ from shaketable.cli.examples import epilog
 
 #: Every command, the file of its name in this folder, and what it does, in half a line.
 SUMMARIES = {
+    "open": "The page in the browser, as without any command.",
     "assess": "What falls in a room, which way, what to do.",
     "room": "A room's plan: what falls where, which ways stay free.",
     "simulate": "One object under one recorded motion, in detail.",
@@ -28,7 +29,7 @@ SUMMARIES = {
     "records": "What record files hold, as a table.",
     "select-motions": "Recorded motions whose spectra are an earthquake's.",
     "template": "An empty inventory, or table of tests, explained.",
-    "serve": "A page in the browser; nothing leaves this machine.",
+    "serve": "The page for others, or at an address of its own.",
     "suites": "The suites of motions that come with the package.",
     "study": "A published study, done again with your motions.",
     "campaign": "Very many simulations, resumable, on many machines.",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import math
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from enum import StrEnum
 from typing import Annotated, Any
 
@@ -218,10 +218,23 @@ class ListOptions:
         ),
     ] = None
 
+    accept_sizes: Annotated[
+        bool,
+        typer.Option("--accept-sizes", help="Accept objects smaller or larger than furniture."),
+    ] = False
+    catalogue: Annotated[
+        bool,
+        typer.Option(
+            "--catalogue",
+            help="Take sizes that are left out from the catalogue of common things, by their "
+            "names: of what is usual, what tips most easily.",
+        ),
+    ] = False
+
     @property
     def as_list(self) -> dict[str, Any]:
         """As the reader of lists takes them."""
-        return {"sheet": self.sheet, "columns": self.columns}
+        return asdict(self)
 
 
 def model_from(given: ContactOptions | ContactOfShapeOptions, model: ModelWord) -> Model:

@@ -77,10 +77,6 @@ def scenario(
     contact_options: ContactOptions,
     reading: ReadingOptions,
     list_options: ListOptions,
-    accept_sizes: Annotated[
-        bool,
-        typer.Option("--accept-sizes", help="Accept objects smaller or larger than furniture."),
-    ] = False,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the motions and of the bootstrap.")] = 0,
     overwrite: Overwrite = False,
 ) -> None:
@@ -132,7 +128,7 @@ def scenario(
     else:
         quake = read_shakemap(shakemap, assumed_sigma=map_sigma)
         choose = partial(_of_map, known.name, seed)
-    items = located(read_inventory(inventory, accept_sizes=accept_sizes, **list_options.as_list))
+    items = located(read_inventory(inventory, **list_options.as_list))
     if held := [item.name for item in items if item.surroundings and not item.anchored]:
         log.warning(
             "walls, straps, pads and edges of the list are not simulated here: %s stand alone, and "

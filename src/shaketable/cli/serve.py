@@ -44,7 +44,7 @@ def serve(
 
     if root_path and not root_path.startswith("/"):
         raise InputError(f"--root-path: must begin with a /, got {root_path!r}")
-    port = port or _free_port(host)
+    port = port or free_port(host)
     _require_free(host, port)
     here = "127.0.0.1" if host in ("0.0.0.0", *HERE) else host  # noqa: S104
     compile_ahead()
@@ -54,7 +54,8 @@ def serve(
     run(host, port, workers, root_path, name or ())
 
 
-def _free_port(host: str) -> int:
+def free_port(host: str) -> int:
+    """A port at an address where nobody listens."""
     with _socket(host) as listens:
         listens.bind((host, 0))
         return int(listens.getsockname()[1])

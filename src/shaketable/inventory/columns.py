@@ -141,6 +141,8 @@ def columns_of(
     header: list[Cell],
     said: ColumnsSaid = MappingProxyType({}),
     units: Mapping[int, str] = MappingProxyType({}),
+    *,
+    sizes: bool = True,
 ) -> tuple[list[Column | None], list[Fault]]:
     """The columns, None for one that is not used, and the faults of the header.
 
@@ -149,6 +151,7 @@ def columns_of(
         header: its cells.
         said: what the user says of some; others of the same meaning are not used then.
         units: of columns whose names have none, by their places.
+        sizes: whether columns of sizes are needed.
     """
     if not header:
         text = tell("the file is empty; its first row must name the columns")
@@ -201,15 +204,17 @@ def columns_of(
     if LENGTH in times:
         message = tell("is depth (front to back) or width (side to side) meant? Give both")
         faults.append(sheet.fault(header[0], "column", message, LENGTH))
-    missing = [meaning for meaning in ("name", "height") if meaning not in times]
-    if not {"depth", "width", "diameter"} & times.keys():
+    needed = ("name", "height") if sizes else ("name",)
+    missing = [meaning for meaning in needed if meaning not in times]
+    if sizes and not {"depth", "width", "diameter"} & times.keys():
         missing.append("depth")
+    usual = tell("--catalogue takes sizes that are usual for things of that name")
     faults += [
         sheet.fault(
             header[0],
             "no column",
             tell("no column for the {meaning!r} of an object", meaning=meaning),
-        )
+        )._replace(mend=usual if meaning != "name" else "")
         for meaning in missing
     ]
     if faults:

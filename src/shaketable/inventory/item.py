@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import NamedTuple
 
 from shaketable.body import Body
 from shaketable.language import tell
@@ -25,6 +26,21 @@ class BaseShape(StrEnum):
     BOX = "box"  # a rectangle, its depth by its width
     CYLINDER = "cylinder"  # a circle
     FEET = "feet"  # four feet, in the corners of its depth by its width
+
+
+class Assumed(NamedTuple):
+    """A number of an object that nobody gave: of a range that is usual for such things.
+
+    Attributes:
+        what: depth, width, diameter, height, cg_height or mass.
+        value: that is taken [m, kg].
+        least, most: of the range.
+    """
+
+    what: str
+    value: float
+    least: float
+    most: float
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,6 +84,8 @@ class Item:
             0 where it was not read from one.
         unread: headers of columns that may say castors, anchors or a shape of it, and are not
             understood: nothing good is said of it before they are.
+        assumed: numbers that were taken from the catalogue of common things.
+        assumed_as: key of that thing in `catalogue()`, "" where nothing was taken.
     """
 
     body: Body
@@ -99,6 +117,8 @@ class Item:
     may_be_round: bool = False
     row: int = 0
     unread: tuple[str, ...] = ()
+    assumed: tuple[Assumed, ...] = ()
+    assumed_as: str = ""
 
     @property
     def name(self) -> str:

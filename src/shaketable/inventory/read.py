@@ -57,6 +57,7 @@ def read_inventory(
     accept_sizes: bool = False,
     sheet: str | None = None,
     columns: str | Path | None = None,
+    catalogue: bool = False,
 ) -> list[Item]:
     """The items of an inventory file: CSV, .xlsx or .ods.
 
@@ -66,11 +67,15 @@ def read_inventory(
         sheet: name of the sheet of a workbook, where several may hold the objects.
         columns: file that says what columns mean, and which sheet is read; if None the one
             beside the list, such as list.xlsx.columns.toml, where there is one.
+        catalogue: whether sizes that are left out are taken from the catalogue of common things,
+            by their names: the ones of its ranges that tip most easily.
 
     Raises:
         InputError: lists the faults of the file, one a line, with the row or cell of each.
     """
-    return read_with_columns(path, accept_sizes=accept_sizes, sheet=sheet, columns=columns).items
+    return read_with_columns(
+        path, accept_sizes=accept_sizes, sheet=sheet, columns=columns, catalogue=catalogue
+    ).items
 
 
 def read_with_columns(
@@ -79,10 +84,11 @@ def read_with_columns(
     accept_sizes: bool = False,
     sheet: str | None = None,
     columns: str | Path | None = None,
+    catalogue: bool = False,
 ) -> Inventory:
     """The items of an inventory file and how its columns were understood, as `read_inventory`."""
     path = Path(path)
-    found = read_table(path, sheet, columns)
+    found = read_table(path, sheet, columns, catalogue=catalogue)
     table, layout, known = found.sheet, found.layout, found.columns
     header, rows, faults = layout.header, layout.rows, list(found.faults)
     if faults:
@@ -107,7 +113,13 @@ def read_with_columns(
             message = tell("begins with #, like a comment; delete the row, or only the sign")
             faults.append(table.fault(row[0], "comment", message, "name"))
         wrong, item = item_of(
-            table, known, row, accept_sizes=accept_sizes, unread=unread, remarks=remarks
+            table,
+            known,
+            row,
+            accept_sizes=accept_sizes,
+            unread=unread,
+            remarks=remarks,
+            catalogue=catalogue,
         )
         faults += wrong
         # the same name may be in several buildings, on several floors and in several rooms; in the
@@ -156,6 +168,7 @@ def read_with_columns(
         log.warning(remark(path, text))
     _warn_of_unused(path, found.header, known, unread)
     warn_of_hints(path, items)
+    _warn_of_assumed(path, items)
     if comments:
         told = named(comments, MOST_NAMED)
         text = tell("left out, as {what}: {rows}", what=translated("comments"), rows=told)
@@ -227,6 +240,23 @@ def _text_of(columns: list[Column | None], row: list[Cell], meaning: str) -> str
     """The text of a row's cell of a meaning, "" if there is none."""
     pairs = zip(columns, row, strict=False)
     return next((cell.text for column, cell in pairs if column and column.meaning == meaning), "")
+
+
+def _warn_of_assumed(path: Path, items: Sequence[Item]) -> None:
+    """Warn of sizes that were taken from the catalogue."""
+    told = list(
+        dict.fromkeys(
+            tell("{name} as {thing}", name=quoted(item.name), thing=quoted(item.assumed_as))
+            for item in items
+            if item.assumed
+        )
+    )
+    if told:
+        text = tell(
+            "sizes that the list leaves out are assumed, as those of the catalogue: {things}",
+            things=named(told, MOST_NAMED),
+        )
+        log.warning(remark(path, text))
 
 
 def warn_of_hints(path: Path, items: Sequence[Item]) -> None:

@@ -22,6 +22,7 @@ from shaketable.inventory.columns import (
 )
 from shaketable.inventory.hints import mentions_castors, mentions_round
 from shaketable.inventory.item import BaseShape, Castors, Item
+from shaketable.inventory.left_out import taken_sizes
 from shaketable.inventory.numbers import degrees_in, number_in
 from shaketable.inventory.shapes import SHAPES, against_shape
 from shaketable.inventory.surroundings import SIDES, with_surroundings
@@ -64,6 +65,7 @@ def item_of(
     accept_sizes: bool,
     unread: tuple[str, ...] = (),
     remarks: list[Fault] | None = None,
+    catalogue: bool = False,
 ) -> tuple[list[Fault], Item | None]:
     """The faults of a row, and its item if it has none.
 
@@ -78,6 +80,7 @@ def item_of(
         accept_sizes: whether sizes may lie outside FURNITURE.
         unread: headers of columns that may say castors, anchors or shapes, and are not understood.
         remarks: takes what is to be told; None to refuse such cells.
+        catalogue: whether sizes that are left out are taken from the catalogue of common things.
     """
     cells = {
         column.meaning: (cell, column) for column, cell in zip(columns, row, strict=False) if column
@@ -115,12 +118,28 @@ def item_of(
     headers = {column.meaning: column.cell.text for column in columns if column}
     shape = SHAPES.get(plain(text.get("shape", "")))
     filled = {meaning for meaning, (cell, _) in cells.items() if cell.text or cell.wrong}
+    usual = taken_sizes(text.get("name", ""), numbers, shape, filled)
+    taken = usual if catalogue else None
+    if taken:
+        numbers, shape = taken.numbers, taken.shape
+        filled |= {each.what for each in taken.assumed}
     empty = [need for need in ("name", "height") if need not in filled]
-    base = [size for size in BASES if size in headers]
-    if not filled & {*base}:
+    base = [size for size in BASES if size in headers] or ["depth"]
+    if not filled & {*BASES}:
         empty.append(base[0])
+    mend = ""
+    if usual and not catalogue:
+        mend = tell(
+            "the catalogue has usual sizes of {thing}: --catalogue takes them",
+            thing=quoted(usual.thing.key),
+        )
     faults += [
-        sheet.fault(row[0], "empty", tell("is empty; it is needed for every object"), headers[need])
+        sheet.fault(
+            row[0],
+            "empty",
+            tell("is empty; it is needed for every object"),
+            headers.get(need, need),
+        )._replace(mend="" if need == "name" else mend)
         for need in empty
     ]
     faults += [
@@ -136,7 +155,17 @@ def item_of(
         across = next(numbers[size] for size in BASES if size in numbers)
         shape = BaseShape.CYLINDER
         numbers["depth"] = numbers["width"] = across
-    item, wrong = with_surroundings(_item(numbers, text, shape or BaseShape.BOX), numbers, text)
+    item = _item(numbers, text, shape or BaseShape.BOX)
+    if taken:
+        rolls = item.castors is Castors.NONE and not text.get("castors") and taken.thing.castors
+        item = replace(
+            item,
+            castors=Castors.UNKNOWN if rolls else item.castors,
+            may_be_round=False,  # the catalogue knows its shape
+            assumed=taken.assumed,
+            assumed_as=taken.thing.key,
+        )
+    item, wrong = with_surroundings(item, numbers, text)
     if wrong:
         return [
             sheet.fault(cells[meaning][0], "contradiction", message, headers[meaning])
@@ -319,7 +348,7 @@ def _implausible(
     faults = []
     for meaning in (*BASES, "height"):
         size = numbers.get(meaning)
-        if size is None or FURNITURE[0] <= size <= FURNITURE[1]:
+        if size is None or meaning not in cells or FURNITURE[0] <= size <= FURNITURE[1]:
             continue
         cell, column = cells[meaning]
         likely = [
@@ -337,7 +366,7 @@ def _implausible(
             message += tell(" (it would be {sizes})", sizes=tell(" and ").join(likely))
         faults.append(sheet.fault(cell, IMPLAUSIBLE, message, column.cell.text))
     cg_height = numbers.get("cg_height", math.inf)
-    if cg_height < LOWEST * numbers["height"]:
+    if "cg_height" in cells and cg_height < LOWEST * numbers["height"]:
         cell, column = cells["cg_height"]
         message = tell(
             "a centre of gravity {cg_height:g} m above the floor {implausible}, of a height of "
@@ -367,7 +396,7 @@ def _too_light_or_heavy(
     sheet: Sheet, cells: Mapping[str, tuple[Cell, Column]], numbers: Mapping[str, float]
 ) -> list[Fault]:
     """A mass that nothing of these sizes has."""
-    if "mass" not in numbers:
+    if "mass" not in numbers or "mass" not in cells:
         return []
     given = [numbers[size] for size in BASES if size in numbers]
     volume = given[0] * given[-1] * numbers["height"]  # square, where only one size is known

@@ -70,7 +70,13 @@ class Table:
         )
 
 
-def read_table(path: Path, sheet: str | None = None, columns: str | Path | None = None) -> Table:
+def read_table(
+    path: Path,
+    sheet: str | None = None,
+    columns: str | Path | None = None,
+    *,
+    catalogue: bool = False,
+) -> Table:
     """The table of a list; arguments as for `read_inventory`.
 
     Raises:
@@ -94,5 +100,7 @@ def read_table(path: Path, sheet: str | None = None, columns: str | Path | None 
             "no column of the list is called {names}", names=named(sorted(map(quoted, lost)), 5)
         )
         raise refused(beside, text)
-    known, faults = columns_of(found, layout.header, said.columns, layout.units)
+    known, faults = columns_of(
+        found, layout.header, said.columns, layout.units, sizes=not catalogue
+    )
     return Table(sheet=found, layout=layout, columns=known, faults=faults, said=said)

@@ -13,7 +13,7 @@ from shaketable.web import list_reading, lists
 from shaketable.web.answers import Assessed, Started, Understood
 from shaketable.web.jobs import FILES, Jobs
 from shaketable.web.limits import LIST_SECONDS
-from shaketable.web.questions import COLUMNS_SAID, MOST_COLUMNS_SAID, Assess
+from shaketable.web.questions import COLUMNS_SAID, MOST_COLUMNS_SAID, OF_CATALOGUE, Assess
 from shaketable.web.room_answers import RoomAssessed
 from shaketable.web.snippets import described
 from shaketable.web.visitor import (
@@ -43,6 +43,7 @@ def add_list_addresses(app: FastAPI) -> None:
         accept_sizes: Annotated[
             bool, Query(description="take sizes that furniture does not have")
         ] = False,
+        catalogue: Annotated[bool, Query(description=OF_CATALOGUE)] = False,
         sheet: Annotated[
             str | None, Query(max_length=100, description="to read, where a workbook has several")
         ] = None,
@@ -50,7 +51,14 @@ def add_list_addresses(app: FastAPI) -> None:
     ) -> Understood:
         given = (Path(name).name, await request.body(), accept_sizes, language_of(request))
         return await answer_of(
-            request, visitor, LIST_SECONDS, list_reading.understand, *given, sheet, columns
+            request,
+            visitor,
+            LIST_SECONDS,
+            list_reading.understand,
+            *given,
+            sheet,
+            columns,
+            catalogue,
         )
 
     @app.post("/api/assess", description=described("assess"), status_code=202)

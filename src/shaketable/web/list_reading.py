@@ -28,23 +28,25 @@ class GivenList(NamedTuple):
     Attributes:
         file: the list.
         columns: what says the meanings of its columns, if anything does.
-        accept_sizes: whether objects may be of sizes that furniture does not have.
+        accept_sizes, catalogue: as for `read_inventory`.
     """
 
     file: Upload
     columns: Upload | None = None
     accept_sizes: bool = False
+    catalogue: bool = False
 
     @classmethod
     def written(
-        cls, folder: Path, name: str, data: bytes, columns: str = "", accept_sizes: bool = False
+        cls, folder: Path, name: str, data: bytes, columns: str, *, sizes: bool, catalogue: bool
     ) -> GivenList:
         """A list, written into a folder, with the text of the file that says its columns."""
         said = columns.encode()
         return cls(
             Upload.written(folder, name, data),
             Upload.written(folder, f"{name}{SUFFIX}", said) if said.strip() else None,
-            accept_sizes,
+            sizes,
+            catalogue,
         )
 
     @property
@@ -60,7 +62,11 @@ class GivenList(NamedTuple):
         """
         try:
             found = read_with_columns(
-                self.file.path, accept_sizes=self.accept_sizes, sheet=sheet, columns=self.said
+                self.file.path,
+                accept_sizes=self.accept_sizes,
+                sheet=sheet,
+                columns=self.said,
+                catalogue=self.catalogue,
             )
             _require_rows(len(found.items))
         except InputError as error:
@@ -71,6 +77,8 @@ class GivenList(NamedTuple):
         """A fault with the visitor's own names of the files."""
         for each in (self.columns, self.file):
             fault = each.fault(fault) if each else fault
+        if "--catalogue" in fault.mend:
+            return fault._replace(mend=tell("or take usual sizes from the catalogue, below"))
         return fault
 
     def refusal(self, error: InputError) -> InputError:
@@ -85,6 +93,7 @@ def understand(
     language: Language = "en",
     sheet: str | None = None,
     columns: str = "",
+    catalogue: bool = False,
 ) -> Understood:
     """A list as it was read, with what is wrong with it, told in a language.
 
@@ -94,12 +103,15 @@ def understand(
         language: of what is told.
         sheet: that is read, where a workbook has several.
         columns: text of the file that says what its columns mean.
+        catalogue: whether sizes that are left out are taken from it.
     """
     with speaking(language), tempfile.TemporaryDirectory(prefix="shaketable-") as folder:
-        given = GivenList.written(Path(folder), name, data, columns, accept_sizes)
+        given = GivenList.written(
+            Path(folder), name, data, columns, sizes=accept_sizes, catalogue=catalogue
+        )
         with RunLog(shown=given.fault) as log:
             try:
-                table = read_table(given.file.path, sheet, given.said)
+                table = read_table(given.file.path, sheet, given.said, catalogue=catalogue)
                 _require_rows(len(table.layout.rows))
             except SheetChoiceError as choice:
                 faults = [

@@ -42,7 +42,14 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
     """
     place = Path(folder)
     data = asked.text.encode()
-    given = GivenList.written(place, asked.name, data, asked.columns, asked.accept_sizes)
+    given = GivenList.written(
+        place,
+        asked.name,
+        data,
+        asked.columns,
+        sizes=asked.accept_sizes,
+        catalogue=asked.catalogue,
+    )
     motions = suite_of(asked.suite) if asked.planar else pairs_of(asked.suite)
     # other workers need the other cores
     with RunLog(_command(asked), shown=given.fault) as log, at_most(1):
@@ -126,7 +133,8 @@ def _command(asked: Assess) -> list[str]:
     planar = ["--planar"] if asked.planar else []
     sizes = ["--accept-sizes"] if asked.accept_sizes else []
     said = ["--columns", f"{asked.name}{SUFFIX}"] if asked.columns.strip() else []
-    which = ["--motions", asked.suite, *scale, *planar, *sizes, *said]
+    usual = ["--catalogue"] if asked.catalogue else []
+    which = ["--motions", asked.suite, *scale, *planar, *sizes, *said, *usual]
     return ["shaketable", "assess", asked.name, *which]
 
 

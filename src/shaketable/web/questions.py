@@ -214,6 +214,7 @@ COLUMNS_SAID = (
     "what columns mean where their headings do not say it, as TOML: a table [columns] with lines "
     'such as "H" = "height_cm", and "" for a column that is not used'
 )
+OF_CATALOGUE = "take sizes that are left out from the catalogue of common things"
 
 
 class Assess(Question):
@@ -225,6 +226,7 @@ class Assess(Question):
     scale: Scale = 1.0
     columns: str = Field("", max_length=MOST_COLUMNS_SAID, description=COLUMNS_SAID)
     accept_sizes: bool = Field(False, description="take sizes that furniture does not have")
+    catalogue: bool = Field(False, description=OF_CATALOGUE)
     planar: bool = Field(False, description="leave three dimensions out, which is quicker")
 
 

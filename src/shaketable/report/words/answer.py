@@ -5,6 +5,7 @@ from __future__ import annotations
 from shaketable.assess import ItemResult
 from shaketable.language import tell
 from shaketable.report.words import findings, space
+from shaketable.report.words.assumed import what_is_assumed
 from shaketable.report.words.numbers import in_hundred, likely
 
 
@@ -19,7 +20,7 @@ def what_happens(result: ItemResult, sources: str = "recordings") -> list[str]:
         said = findings.in_a_plane(result, sources)
     else:
         said = [findings.on_condition(result) + space.what_happens(result)]
-    return [*said, *_like_it(result)]
+    return [*said, *what_is_assumed(result.item), *_like_it(result)]
 
 
 def _like_it(result: ItemResult) -> list[str]:

@@ -22,6 +22,7 @@ from shaketable.inventory import Castors
 from shaketable.language import tell, translated
 from shaketable.models import General
 from shaketable.report.words import space
+from shaketable.report.words.assumed import how_many_are_assumed
 from shaketable.report.words.numbers import (
     between,
     counted,
@@ -210,6 +211,7 @@ def how_sure(assessment: Assessment) -> list[str]:
             )
             sentences.append(said)
     sentences += space.how_sure(assessment)
+    sentences += how_many_are_assumed(kinds)
     if untold:
         sentences.append(
             tell(

@@ -69,7 +69,7 @@ async function take(name, data, { kept = null, sheet = "", columns = "" } = {}) 
 }
 
 function understood(name, data, options) {
-  const given = { sizes: find("sizes").checked, ...options };
+  const given = { sizes: find("sizes").checked, catalogue: find("catalogue").checked, ...options };
   return understand(name, data, given, (wait) => tell("busy", { wait }));
 }
 
@@ -164,6 +164,7 @@ async function run() {
     const name = `${view.name.replace(/\.[^.]*$/, "").slice(0, 100)}.csv`;
     const { id } = await begin({
       name, text, columns, suite: SUITE, planar: find("planar").checked, accept_sizes: find("sizes").checked,
+      catalogue: find("catalogue").checked,
     });
     if (mine === asked) follow(id);
     else stop(id).catch(() => {});
@@ -324,6 +325,7 @@ find("empty").addEventListener("click", () => {
   takeSheet();
 });
 find("again").addEventListener("click", again);
+for (const id of ["sizes", "catalogue"]) find(id).addEventListener("change", () => { if (view.list?.columns.length) again(); });
 find("run").addEventListener("click", run);
 find("stop").addEventListener("click", () => stop(view.job).catch(fail));
 addEventListener("hashchange", () => location.reload()); // the address of another result
