@@ -10,14 +10,18 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+from openpyxl import load_workbook
 
 from shaketable import Body, InputError, Motion, ShearBuilding, floor_motions, simulate_many
 from shaketable.assess import assess
 from shaketable.building import Building, read_building
 from shaketable.building.recorded import _facing
+from shaketable.building.typical import typical_period
 from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
 from shaketable.inventory import Item, read_inventory
+from shaketable.inventory.template import inventory_template
 from shaketable.signal import peaks
+from shaketable.tables.template import write_template
 from tests.support.command import refused, shaketable
 
 SHEAR = 'name = "Office"\nstoreys = 3\nfirst_period_s = 0.4\n'
@@ -66,6 +70,25 @@ def test_a_shear_building(tmp_path: Path, p695: list[Motion]) -> None:
     across = given.floors["3"][0].transverse
     assert across is not None
     assert np.array_equal(across[: roof.horizontal.size], roof.horizontal)
+
+
+def test_a_building_of_which_the_structure_is_known(tmp_path: Path) -> None:
+    """Recordings take turns in the periods that are usual; the table's equation by hand."""
+    path = tmp_path / "office.toml"
+    path.write_text('structure = "concrete frame"\nstoreys = 3\nmotions = ["near-field-pulse"]\n')
+    building = read_building(path)
+    typical = 0.0466 * 9.6**0.9  # Taly, Design of Reinforced Masonry Structures, eq. 7.59
+    assert typical == pytest.approx(0.357, abs=0.001)
+    for number, share in enumerate((0.7, 1.0, 1.4, 0.7)):
+        shear = ShearBuilding(storeys=3, first_period=share * typical)
+        alone = floor_motions(shear, building.floors["0"][number])
+        for label, motion in zip("123", alone, strict=True):
+            floor = building.floors[label][number]
+            assert floor.horizontal == pytest.approx(motion.horizontal, abs=1e-12)
+    assert "0.25, 0.36, 0.5 s in turn from recording to recording" in building.told
+    assert "Table 7.4" in building.told
+    assert typical_period("steel frame", 3) == pytest.approx(0.0724 * 9.6**0.8)
+    assert typical_period("timber", 2, 2.5) == pytest.approx(0.0488 * 5**0.75)
 
 
 def test_a_building_is_softer_in_one_direction(tmp_path: Path, p695: list[Motion]) -> None:
@@ -242,6 +265,33 @@ def test_one_name_may_stand_on_several_floors(tmp_path: Path) -> None:
     path.write_text(f"{THINGS}shelf,0.4,1.8,1,3\n")
     with pytest.raises(InputError, match="line 5, name: 'shelf' is also on line 3"):
         read_inventory(path)
+
+
+def test_the_sheet_of_a_list_is_its_building(tmp_path: Path) -> None:
+    """The same result as with a file that says the same; without the sheet's answers none."""
+    template = tmp_path / "list.xlsx"
+    write_template(template, inventory_template(lengths="m"))
+    book = load_workbook(template)
+    rows = book.worksheets[0]
+    floor = [cell.value for cell in rows[1]].index("Floor") + 1
+    for row, label in zip(range(2, 6), (0, 1, 2, 2), strict=True):
+        rows.cell(row, floor, label)
+    book.save(template)
+    options = ("--planar", "--motions", "fema-p695-near-field-pulse", "--overwrite")
+    ground = shaketable("assess", template, *options, "--out", tmp_path / "ground")
+    for k, value in enumerate(("Wing", 2, "timber"), 1):
+        book["Building"].cell(k, 2, value)
+    book.save(template)
+    sheet = shaketable("assess", template, *options, "--out", tmp_path / "sheet")
+    (tmp_path / "wing.toml").write_text('name = "Wing"\nstoreys = 2\nstructure = "timber"\n')
+    by_file = ("--building", tmp_path / "wing.toml", "--out", tmp_path / "file")
+    file = shaketable("assess", template, *options, *by_file)
+    assert (ground.returncode, sheet.returncode, file.returncode) == (0, 0, 0), sheet.stderr
+    tables = [(tmp_path / each / "results.csv").read_text() for each in ("ground", "sheet", "file")]
+    assert tables[1] == tables[2] != tables[0]
+    assert "whose first period is not known" in sheet.stdout.replace("\n", " ")
+    run = json.loads((tmp_path / "sheet" / "run.json").read_text())
+    assert run["building"] == {"name": "Wing", "storeys": 2, "structure": "timber"}
 
 
 def test_assess_a_building(tmp_path: Path) -> None:

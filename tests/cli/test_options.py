@@ -376,6 +376,9 @@ TRIED = {
     "template": {
         "tests": Option("--tests", "tests.csv"),
         "xlsx": Option("--xlsx", "inventory.xlsx"),
+        "language": Option("--language de", "inventory.csv"),
+        "lengths": Option("--lengths mm", "inventory.csv"),
+        "every": Option("--all", "inventory.csv"),
     },
 }
 #: Options that other tests try, by the test that does; and those that are none to try.

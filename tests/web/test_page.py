@@ -12,14 +12,16 @@ from typing import Any, get_args
 
 import numpy as np
 import pytest
-from openpyxl import Workbook
+from openpyxl import Workbook, load_workbook
 from PIL import Image
 from scipy.spatial.transform import Rotation, Slerp
 
 from shaketable import Body, General, Solid, read_inventory, simulate, suite
 from shaketable.assess.classes import NOT_CLASSED
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
+from shaketable.inventory.template import inventory_template
 from shaketable.language import LANGUAGES
+from shaketable.tables.template import write_template
 from shaketable.web.answers import Counts
 from shaketable.web.room_answers import Way
 
@@ -468,13 +470,13 @@ def test_a_list_with_decimal_commas(page: Any, address: str, tmp_path: Path) -> 
     page.goto(f"{address}/list")
     page.set_input_files("#file", str(mine))
     page.wait_for_selector("text=1 kinds of object were read")
-    assert "stands on the ground" in page.inner_text("#notes")
+    assert "everything stands on the ground" in page.inner_text("#floors-unused")
     page.check("#planar")
     page.click("#run")
     page.wait_for_selector("#cards .card", timeout=300_000)
     page.click("#cards summary")
     assert "0.325" in page.get_attribute("#cards a", "href")
-    assert "stands on the ground" in page.inner_text("#warnings")
+    assert "everything was simulated on the ground" in page.inner_text("#headline")
     page.select_option("#language", "es")
     page.wait_for_selector("#told:has-text('Listo')")
     page.set_input_files("#file", {"name": "b.csv", "mimeType": "", "buffer": b"nothing"})
@@ -572,6 +574,34 @@ def test_the_sheet_is_chosen(page: Any, address: str, tmp_path: Path) -> None:
     page.select_option("#sheet", "Old")
     page.wait_for_selector("text=1 kinds of object were read")
     assert page.input_value("#cells tbody input >> nth=0") == "Old 0"
+
+
+def test_the_building_is_asked_for_and_read_from_its_sheet(
+    page: Any, address: str, tmp_path: Path
+) -> None:
+    """While floors are named and no building is, that is told in red above the button."""
+    mine = tmp_path / "mine.xlsx"
+    write_template(mine, inventory_template("de"))
+    book = load_workbook(mine)
+    book.worksheets[0].cell(2, 10, 2)
+    book.save(mine)
+    page.goto(f"{address}/list")
+    page.set_input_files("#file", str(mine))
+    page.wait_for_selector("text=4 kinds of object were read")
+    assert page.is_visible("#floors-unused")
+    page.select_option("#structure", "masonry")
+    assert not page.is_visible("#floors-unused")
+    for k, value in enumerate(("Klinik", 5, "Stahlrahmen"), 1):
+        book["Gebäude"].cell(k, 2, value)
+    book.save(mine)
+    page.reload()
+    page.set_input_files("#file", str(mine))
+    page.wait_for_selector("text=4 kinds of object were read")
+    assert (page.input_value("#structure"), page.input_value("#storeys")) == ("steel frame", "5")
+    page.click("#again")
+    page.wait_for_selector("text=4 kinds of object were read")
+    assert page.input_value("#structure") == "steel frame"
+    assert serious(page) == []
 
 
 def test_sizes_that_are_missing_are_taken_from_the_catalogue(

@@ -288,6 +288,21 @@ def test_a_list_is_assessed(client: httpx.Client) -> None:
     assert client.get(f"/api/assess/{job}/../../etc").status_code == 404
 
 
+def test_a_list_is_assessed_in_its_building(client: httpx.Client) -> None:
+    """Upper floors are shaken more strongly: the same thing falls more often there."""
+    text = "name,depth_m,width_m,height_m,floor\nlow,0.5,0.9,1.8,0\nhigh,0.5,0.9,1.8,3\n"
+    asked = {"text": text, "planar": True, "suite": "fema-p695-near-field-pulse"}
+    shares = []
+    for building in (None, {"storeys": 3, "structure": "masonry"}):
+        job = client.post("/api/assess", json={**asked, "building": building}).json()["id"]
+        assert ended(client, job) == {"state": "done"}
+        objects = client.get(f"/api/assess/{job}").json()["objects"]
+        shares.append({each["name"]: each["share"] for each in objects})
+    assert shares[0]["high"] == shares[0]["low"] == shares[1]["low"] < shares[1]["high"]
+    wrong = {**asked, "building": {"storeys": 3, "structure": "straw"}}
+    assert client.post("/api/assess", json=wrong).status_code == 422
+
+
 def test_an_assessment_is_stopped_or_refused(client: httpx.Client) -> None:
     job = client.post("/api/assess", json={"text": LIST}).json()["id"]
     assert client.delete(f"/api/assess/{job}").status_code == 204

@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Any
 
 from shaketable.building.building import MOST_NAMED, Building
 from shaketable.building.recorded import files_at, motions_at
+from shaketable.building.typical import SOURCE, STOREY_HEIGHT, VARIED, typical_period
 from shaketable.errors import InputError, named, refused
-from shaketable.language import tell
+from shaketable.language import tell, translated
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.records.pairs import joined_pairs
@@ -25,7 +25,8 @@ from shaketable.synthesis import (
     profile_motions,
 )
 
-Floors = Callable[[Motion], list[Motion]]  # those above the ground, from its motion
+#: The floors above the ground, from the number of a recording and its motion of the ground.
+Floors = Callable[[int, Motion], list[Motion]]
 Kind = Callable[[str, Mapping[str, Any]], tuple[Floors, str]]
 
 FACTORS = ("response_modification", "overstrength", "importance")
@@ -49,7 +50,7 @@ def building(
         described: what its file says.
         ground: motions of the ground in place of those that the file names.
         progress: whether to draw a bar while folders are read.
-        kind: `by_shear` or `by_profile`.
+        kind: `by_shear`, `by_structure` or `by_profile`.
 
     Raises:
         InputError: values out of range, or no motions of the ground.
@@ -70,9 +71,9 @@ def building(
     if (axis := described.get("x_direction_deg")) is not None:
         pairs = [along(motion, axis) for motion in pairs]
     floors: dict[str, list[Motion]] = {str(k): [] for k in range(described["storeys"] + 1)}
-    for motion in pairs:
+    for number, motion in enumerate(pairs):
         try:
-            shaken = [motion, *above(motion)]
+            shaken = [motion, *above(number, motion)]
         except InputError as error:
             raise refused(path, str(error)) from None
         for k, floor in enumerate(shaken):
@@ -133,7 +134,33 @@ def by_shear(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
         periods=periods,
         damping=shear.damping,
     )
-    return partial(floor_motions, shear, across=both[1]), told
+    return lambda _, motion: floor_motions(shear, motion, across=both[1]), told
+
+
+def by_structure(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
+    """The same of which only structure and height are known: recordings take turns in its periods.
+
+    Each share is then over the periods that such a building may have.
+    """
+    storeys, structure = described["storeys"], described["structure"]
+    typical = typical_period(structure, storeys, described.get("storey_height_m", STOREY_HEIGHT))
+    damping = described.get("damping", 0.05)
+    varied = [
+        ShearBuilding(storeys=storeys, first_period=share * typical, damping=damping, name=name)
+        for share in VARIED
+    ]
+    told = tell(
+        "linear shear building of {storeys} storeys, {structure}, whose first period is not known: "
+        "{periods} s in turn from recording to recording, around the {typical:.2g} s that are "
+        "typical ({source}), damping {damping:g}",
+        storeys=storeys,
+        structure=translated(structure),
+        periods=", ".join(f"{each.first_period:.2g}" for each in varied),
+        typical=typical,
+        source=SOURCE,
+        damping=damping,
+    )
+    return lambda number, motion: floor_motions(varied[number % len(varied)], motion), told
 
 
 def _twisting(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
@@ -172,7 +199,7 @@ def _twisting(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
         x=e_x,
         y=e_y,
     )
-    return partial(corner_motions, twisting), told
+    return lambda _, motion: corner_motions(twisting, motion), told
 
 
 def by_profile(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
@@ -199,7 +226,7 @@ def by_profile(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
         storeys=profile.storeys,
         factor=profile.factors()[-1],
     )
-    return partial(profile_motions, profile), told
+    return lambda _, motion: profile_motions(profile, motion), told
 
 
 def _in_words(given: str | list[str]) -> str:

@@ -24,7 +24,15 @@ or by a linear shear building, whose floors go from "0", the ground, to its numb
     damping = 0.05
     motions = ["fema-p695-far-field"]  # of the ground: suites, folders, files
 
-or, where less is known of it, by the profile of floor accelerations of ASCE 7-22, of which all but
+or, where its period is not known, by its structure: recordings then take turns in the periods that
+such a building may have,
+
+    name = "Clinic"
+    storeys = 3
+    structure = "concrete frame"     # or steel frame, braced steel frame, concrete walls, masonry,
+    storey_height_m = 3.2            # timber
+
+or by the profile of floor accelerations of ASCE 7-22, of which all but
 the storeys may be left out:
 
     name = "Surgery"
@@ -84,6 +92,12 @@ SHEAR: Kinds = {
     "eccentricity": list,
     "torsional_ratio": NUMBER,
 }
+STRUCTURE: Kinds = {
+    **{key: kind for key, kind in _COMPUTED.items() if key != "first_period_s"},
+    "structure": str,
+    "storey_height_m": NUMBER,
+    "damping": NUMBER,
+}
 PROFILE: Kinds = {**_COMPUTED, "profile": str, **dict.fromkeys(computed.FACTORS, NUMBER)}
 
 
@@ -113,19 +127,41 @@ def read_building(
     if "profile" in described:
         _require_keys(told, PROFILE)
         return computed.building(path, name, described, ground, progress, computed.by_profile)
+    if "structure" in described:
+        _require_keys(told, STRUCTURE)
+        if "storeys" not in described:
+            raise refused(path, tell("a structure needs storeys"))
+        return computed.building(path, name, described, ground, progress, computed.by_structure)
     _require_keys(told, SHEAR)
     missing = [key for key in ("storeys", "first_period_s") if key not in described]
     if missing:
         raise refused(
             path,
             tell(
-                "give recorded motions in a table [floors], or {accepted}, or profile = "
-                "{profiles!r} and storeys",
+                "give recorded motions in a table [floors], or {accepted}, or structure and "
+                "storeys, or profile = {profiles!r} and storeys",
                 accepted=" and ".join(missing),
                 profiles=computed.PROFILES[0],
             ),
         )
     return computed.building(path, name, described, ground, progress, computed.by_shear)
+
+
+def building_of_structure(
+    path: Path, described: Mapping[str, object], ground: Sequence[Motion]
+) -> Building:
+    """A building of which structure and storeys are known, as a list's sheet says them.
+
+    Args:
+        path: of the list, for what is wrong.
+        described: name, storeys, structure, storey_height_m.
+        ground: motions of the ground.
+
+    Raises:
+        InputError: values out of range.
+    """
+    name = str(described.get("name", path.stem))
+    return computed.building(path, name, described, ground, False, computed.by_structure)
 
 
 class Overview(NamedTuple):

@@ -157,7 +157,7 @@ def assess(
         from rich.console import Console
 
         from shaketable.assess import assess as assess_items
-        from shaketable.building import read_building
+        from shaketable.building import building_of_structure, read_building
         from shaketable.hazard import read_hazard
         from shaketable.hazard.objects import object_rates
         from shaketable.hazard.rates import YEARS
@@ -206,11 +206,11 @@ def assess(
                 named(edges, 10),
             )
         buildings = sorted({item.building for item in table.items if item.building})
-        if building is not None and len(buildings) > 1:
+        if (building is not None or table.building) and len(buildings) > 1:
             raise InputError(
-                f"--building: is one building, and the inventory's column building has "
-                f"{len(buildings)} ({named(buildings, 5)}): give those of one alone, or use "
-                "shaketable scenario or hazard, which take several"
+                "--building, or the list's sheet of it, is one building, and the inventory's "
+                f"column building has {len(buildings)} ({named(buildings, 5)}): give those of one "
+                "alone, or use shaketable scenario or hazard, which take several"
             )
         house = None
         if building is not None:
@@ -220,6 +220,8 @@ def assess(
                     "gives units and time_step_s of its own"
                 )
             house = read_building(building, shaking.motions if shaking else (), progress=True)
+        elif table.building and shaking is not None:
+            house = building_of_structure(path, table.building, shaking.motions)
         if shaking is not None and house is None and not planar:
             shaking = shaking.in_pairs()
         strongest, several = scale, []
@@ -260,7 +262,9 @@ def assess(
                 and {"path": str(table.said_in), "sha256": sha256(table.said_in)},
             },
             "motions": _motions_entry(shaking, house, strongest),
-            "building": building and {"path": str(building), "sha256": sha256(building)},
+            "building": {"path": str(building), "sha256": sha256(building)}
+            if building
+            else table.building,
             "scaling": scaling.told(house, planar) if scaling else "",
             "settings": {
                 **{name: settings[name] for name in sorted(settings.keys() - ELSEWHERE)},

@@ -25,16 +25,27 @@ def template(
     tests: Annotated[
         bool, typer.Option("--tests", help="A table of shake-table tests, for calibrate.")
     ] = False,
-    xlsx: Annotated[bool, typer.Option("--xlsx", help="Write a spreadsheet.")] = False,
+    xlsx: Annotated[bool, typer.Option("--xlsx", help="Write a spreadsheet, with menus.")] = False,
+    language: Annotated[
+        str, typer.Option(help="Of headings, menus and explanations: en, es, de, it or ja.")
+    ] = "en",
+    lengths: Annotated[str, typer.Option(help="Unit of lengths: cm, mm, m or in.")] = "cm",
+    every: Annotated[
+        bool, typer.Option("--all", help="Also the columns that few lists need.")
+    ] = False,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file.")] = False,
 ) -> None:
-    """An empty inventory, or table of tests, with its columns explained."""
+    """An empty inventory, or table of tests, with its columns explained.
+
+    A spreadsheet has menus, and a sheet for the building: how many storeys, of what structure.
+    """
     from shaketable.calibration.template import TESTS
-    from shaketable.inventory.template import INVENTORY
+    from shaketable.inventory.template import inventory_template
     from shaketable.tables.template import write_template
 
-    chosen = TESTS if tests else INVENTORY
-    path = out or Path(f"{chosen.title.lower()}.{'xlsx' if xlsx else 'csv'}")
+    chosen = TESTS if tests else inventory_template(language, lengths=lengths, every=every)
+    name = "tests" if tests else "inventory"
+    path = out or Path(f"{name}.{'xlsx' if xlsx else 'csv'}")
     if path.suffix.lower() not in (".csv", ".xlsx"):
         raise refused(path, "expected a name that ends in .csv or .xlsx")
     if path.exists() and not overwrite:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
 
 from shaketable.errors import Fault, named, quoted, refusal, refused, remark
+from shaketable.inventory.building_sheet import building_said
 from shaketable.inventory.columns import Column
 from shaketable.inventory.hints import (
     is_furniture,
@@ -42,6 +43,7 @@ class Inventory:
         kind: what the file was read as, in words.
         columns: its columns, each with its header; None for one that is not used.
         said_in: the file that says what it does not say of itself, None without one.
+        building: what a sheet of it says of the building, as a building's file would; None without.
     """
 
     items: list[Item]
@@ -49,6 +51,7 @@ class Inventory:
     kind: str
     columns: list[tuple[str, Column | None]]
     said_in: Path | None = None
+    building: Mapping[str, object] | None = None
 
 
 def read_inventory(
@@ -180,6 +183,7 @@ def read_with_columns(
         kind=table.kind,
         columns=[(cell.text, column) for cell, column in used],
         said_in=found.said.path,
+        building=building_said(table),
     )
 
 

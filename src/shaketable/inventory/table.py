@@ -9,6 +9,7 @@ from pathlib import Path
 
 from shaketable.errors import Fault, named, quoted, refused, remark
 from shaketable.inventory.answers import ANSWERING
+from shaketable.inventory.building_sheet import titles
 from shaketable.inventory.columns import Column, columns_of, is_header, said_of
 from shaketable.inventory.hints import may_say_what_decides
 from shaketable.inventory.layout import Layout, layout_of
@@ -92,6 +93,7 @@ def read_table(
         lambda texts: is_header(texts, said.columns),
         sheet=said.sheet if sheet is None else sheet,
         strict=False,
+        known=titles("columns") | titles("building"),
     )
     layout = layout_of(found, said.columns)
     lost = set(said.columns) - {said_of(cell, said.columns) for cell in layout.header}

@@ -9,12 +9,14 @@ import re
 import tomllib
 import unicodedata
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from importlib import resources
 
 #: Headings in English, in the order in which they are told.
 ENGLISH = "en"
+#: Tables of words: of cells, names of sheets, and of the sheet that describes the building.
+VALUES = ("answers", "castors", "shapes", "sides", "sheets", "building", "structures")
 _GAPS = re.compile(r"[\s_.\-:]+")
 
 
@@ -25,10 +27,13 @@ class Vocabulary:
     Attributes:
         language: its code.
         columns: headings of each meaning.
-        values: words of cells, by table and meaning: "answers", "castors", "shapes", "sides".
+        values: words of cells, by table, one of VALUES, and meaning.
         rows: "totals", and "all_sizes" of which a title tells the unit.
         hints: words or regular expressions of each kind.
         boundaries: whether words have blanks between them.
+        explained: what a template says of columns, by their meanings.
+        explained_building: likewise of what it asks of the building.
+        in_template: words of a template for columns and values, where not their first ones.
     """
 
     language: str
@@ -37,6 +42,9 @@ class Vocabulary:
     rows: Mapping[str, tuple[str, ...]]
     hints: Mapping[str, tuple[str, ...]]
     boundaries: bool = True
+    explained: Mapping[str, str] = field(default_factory=dict)
+    explained_building: Mapping[str, str] = field(default_factory=dict)
+    in_template: Mapping[str, str] = field(default_factory=dict)
 
 
 @cache
@@ -58,10 +66,13 @@ def _read(language: str, text: str) -> Vocabulary:
     return Vocabulary(
         language=language,
         columns=_lists(told["columns"]),
-        values={name: _lists(told[name]) for name in ("answers", "castors", "shapes", "sides")},
+        values={name: _lists(told[name]) for name in VALUES},
         rows=_lists(told["rows"]),
         hints=_lists(told["hints"]),
         boundaries=told.get("boundaries", True),
+        explained=told["explained"],
+        explained_building=told["explained_building"],
+        in_template=told.get("in_template", {}),
     )
 
 
@@ -112,6 +123,13 @@ def words_of(table: str) -> Mapping[str, str]:
         for meaning, words in one.values[table].items()
         for word in words
     }
+
+
+def first_word(language: str, table: str, meaning: str) -> str:
+    """How a language says a value of a table in a template."""
+    own = next(each for each in vocabularies() if each.language == language)
+    words = (own.in_template.get(meaning, ""), *own.values[table].get(meaning, ()))
+    return next(word for word in words if word)
 
 
 @cache

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from pathlib import Path
 
 from shaketable.errors import quoted, refusal, refused
@@ -31,6 +32,7 @@ def read_sheet(
     *,
     sheet: str | None = None,
     strict: bool = True,
+    known: Collection[str] = (),
 ) -> Sheet:
     """The table of a file, from its first row on.
 
@@ -42,6 +44,7 @@ def read_sheet(
         sheet: the name of the sheet to read, whatever the others hold.
         strict: whether a cell that cannot be used, such as an error, is one of the file, also
             where nothing reads it.
+        known: names, in lower case, of sheets of a workbook that hold something else.
 
     Raises:
         SheetChoiceError: several sheets may be meant.
@@ -49,7 +52,7 @@ def read_sheet(
     """
     raw = read_file(path)
     if workbook.recognise(raw):
-        found = workbook.read(path, raw, wanted, is_header, sheet)
+        found = workbook.read(path, raw, wanted, is_header, sheet, known)
         if strict and found.wrong:
             raise refusal(found.wrong)
         return found

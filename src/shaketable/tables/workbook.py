@@ -7,7 +7,8 @@ import io
 import logging
 import warnings
 import zipfile
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -27,7 +28,7 @@ REMARKS = {
     "error": "holds an error",
     "formula": "a formula without a value; open the file in a spreadsheet program and save it",
 }
-EXPLAINED = "Columns"  # of a template
+EXPLAINED = "columns"  # of a template
 HIDDEN = "hidden cells are read like others: {cells}"
 MOST_NAMED = 10
 _OPEN_DOCUMENT = b"mimetypeapplication/vnd.oasis.opendocument.spreadsheet"
@@ -45,6 +46,8 @@ class SheetChoiceError(InputError):
 
 #: Tells from a row's texts whether it names the columns that are looked for.
 IsHeader = Callable[[Iterable[str]], bool]
+#: The name of the sheet to read, of all that hold anything.
+Choose = Callable[[Mapping[str, Sequence[Sequence[object]]]], str]
 
 
 def recognise(raw: bytes) -> bool:
@@ -53,7 +56,12 @@ def recognise(raw: bytes) -> bool:
 
 
 def read(
-    path: Path, raw: bytes, wanted: str, is_header: IsHeader, chosen: str | None = None
+    path: Path,
+    raw: bytes,
+    wanted: str,
+    is_header: IsHeader,
+    chosen: str | None = None,
+    known: Collection[str] = (),
 ) -> Sheet:
     """The table of a spreadsheet: its only sheet with text, or the one that is wanted.
 
@@ -63,6 +71,7 @@ def read(
         path, raw: the file and its bytes.
         wanted, is_header: as for `read_sheet`.
         chosen: `sheet` there.
+        known: as there.
 
     Raises:
         InputError: no spreadsheet, none or several sheets that may be wanted, too many rows
@@ -76,14 +85,17 @@ def read(
         raise
     except Exception as error:  # zipfile has more than one error for damage
         raise refused(path, tell("a damaged spreadsheet ({error})", error=error)) from None
+    choose = partial(
+        _only, path, wanted=wanted, is_header=is_header, chosen=chosen, known=(EXPLAINED, *known)
+    )
     if _OPEN_DOCUMENT in raw[:200]:
-        return _open_document(path, raw, wanted, is_header, chosen)
+        return _open_document(path, raw, choose)
     if "xl/workbook.xml" in names:
-        return _excel(path, raw, wanted, is_header, chosen)
+        return _excel(path, raw, choose)
     raise refused(path, tell("neither .xlsx nor .ods; accepted: CSV, .xlsx, .ods"))
 
 
-def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader, chosen: str | None) -> Sheet:
+def _excel(path: Path, raw: bytes, choose: Choose) -> Sheet:
     from openpyxl import load_workbook
 
     try:
@@ -102,7 +114,7 @@ def _excel(path: Path, raw: bytes, wanted: str, is_header: IsHeader, chosen: str
         require_cells(path, page.max_row, page.max_column)
     filled = [sheet for sheet in values.worksheets if any(_values(sheet))]
     tables = {one.title: list(one.iter_rows(values_only=True)) for one in filled}
-    sheet = values[_only(path, tables, wanted, is_header, chosen)]
+    sheet = values[choose(tables)]
     require_few(path, sheet.max_row, sheet.max_column)
     merged = {
         (row, column): sheet.cell(one.min_row, one.min_col)
@@ -154,9 +166,7 @@ def _values(sheet: Worksheet) -> Any:
     return (cell for row in sheet.iter_rows(values_only=True) for cell in row if cell is not None)
 
 
-def _open_document(
-    path: Path, raw: bytes, wanted: str, is_header: IsHeader, chosen: str | None
-) -> Sheet:
+def _open_document(path: Path, raw: bytes, choose: Choose) -> Sheet:
     from openpyxl.utils import get_column_letter
     from python_calamine import CalamineWorkbook
 
@@ -176,7 +186,7 @@ def _open_document(
             path, tell("cannot be read as {kind} ({error})", kind=".ods", error=error)
         ) from None
     filled = {name: rows for name, rows in tables.items() if any(any(row) for row in rows)}
-    name = _only(path, filled, wanted, is_header, chosen)
+    name = choose(filled)
     table = [list(row) for row in filled[name]]
     require_few(path, len(table), max(map(len, table), default=0))
     word = translated("cell")
@@ -225,9 +235,11 @@ def _fill(table: list[list[Any]], merged: Remark) -> set[tuple[int, int]]:
 def _only(
     path: Path,
     tables: Mapping[str, Sequence[Sequence[object]]],
+    *,
     wanted: str,
     is_header: IsHeader,
     chosen: str | None,
+    known: Collection[str],
 ) -> str:
     """The name of the sheet to read: the chosen one, the only one, the wanted one, or the only one
     whose first rows hold a header.
@@ -235,7 +247,7 @@ def _only(
     Args:
         path: of the file.
         tables: each sheet that holds anything.
-        wanted, is_header, chosen: as for `read`.
+        wanted, is_header, chosen, known: as for `read`.
     """
     if not tables:
         raise refused(path, tell("no sheet holds anything"))
@@ -245,13 +257,13 @@ def _only(
         if not found:
             text = tell("has no sheet {sheet}; it has {names}", sheet=quoted(chosen), names=names)
             raise refused(path, text)
-        _tell_others(path, tables, found[0])
+        _tell_others(path, tables, found[0], known)
         return found[0]
     called = [name for name in tables if name.strip().lower() == wanted.lower()]
     if len(tables) == 1:
         return next(iter(tables))
     if called:
-        _tell_others(path, tables, called[0])
+        _tell_others(path, tables, called[0], known)
         return called[0]
     usable = {
         name: below
@@ -278,7 +290,7 @@ def _only(
         error.sheets = tuple(tables)
         raise error
     (name,) = usable
-    _tell_others(path, tables, name)
+    _tell_others(path, tables, name, known)
     return name
 
 
@@ -290,9 +302,11 @@ def _rows_below_header(rows: Sequence[Sequence[object]], is_header: IsHeader) ->
     return None
 
 
-def _tell_others(path: Path, tables: Mapping[str, object], name: str) -> None:
+def _tell_others(
+    path: Path, tables: Mapping[str, object], name: str, known: Collection[str]
+) -> None:
     """Warn of the sheets beside the one that is read."""
-    others = [quoted(each) for each in tables if each not in (name, EXPLAINED)]
+    others = [quoted(each) for each in tables if each != name and each.strip().lower() not in known]
     if others:
         told = named(others, MOST_NAMED)
         log.warning(remark(path, tell("sheets that are not read: {names}", names=told)))

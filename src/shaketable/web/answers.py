@@ -224,6 +224,10 @@ class Understood(BaseModel):
         ",",
         description="between cells of a CSV in which the list's numbers mean the same",
     )
+    building: dict[str, str | float] | None = Field(
+        None, description="what a sheet of the workbook says of it"
+    )
+    floors: bool = Field(False, description="whether rows name floors")
     objects: int = Field(0, description="kinds of object that were read")
     notes: list[str] = Field([], description="what was read and is not used here")
     faults: list[str] = Field(description="what must be corrected first, by row and column")

@@ -126,12 +126,14 @@ def understand(
 
 def _understood(given: GivenList, table: Table, log: RunLog) -> Understood:
     items: list[Item] = []
+    building = None
     faults = [given.fault(each) for each in table.faults]
     notes = log.messages
     if not faults:
         with RunLog(shown=given.fault) as log:
             try:
-                items = given.read(table.sheet.name or None).items
+                inventory = given.read(table.sheet.name or None)
+                items, building = inventory.items, inventory.building
             except InputError as error:
                 faults = list(error.listed)
         notes = log.messages
@@ -144,7 +146,9 @@ def _understood(given: GivenList, table: Table, log: RunLog) -> Understood:
         numbers=[row[0].row for row in table.layout.rows],
         separator=";" if table.sheet.decimal_comma else ",",
         objects=len(items),
-        notes=[*not_used_here(items), *without_level(notes)],
+        building=None if building is None else {name: _plain(v) for name, v in building.items()},
+        floors=any(item.floor for item in items),
+        notes=without_level(notes),
         faults=_told(faults),
     )
 
@@ -195,20 +199,8 @@ def _by_factor(meaning: str) -> dict[float, str]:
     return found
 
 
-def not_used_here(items: Sequence[Item]) -> list[str]:
-    """What a list says and this page does not use."""
-    floors = sum(1 for item in items if item.floor or item.building)
-    if not floors:
-        return []
-    return [
-        tell(
-            "{floors} of {rows} rows name a floor or a building. Here everything stands on the "
-            "ground: on upper floors shaking is stronger, and more falls. The command line takes "
-            "floors (shaketable assess --building).",
-            floors=floors,
-            rows=len(items),
-        )
-    ]
+def _plain(value: object) -> str | float:
+    return value if isinstance(value, (int, float)) else str(value)
 
 
 def without_level(messages: Sequence[str]) -> list[str]:

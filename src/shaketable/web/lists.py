@@ -11,6 +11,7 @@ from pydantic import ValidationError
 from shaketable.assess import Assessment, ItemResult, assess
 from shaketable.atomic_files import write_csv
 from shaketable.body import Body
+from shaketable.building import building_of_structure
 from shaketable.engine.pool import at_most
 from shaketable.inventory import BaseShape, Inventory, Item
 from shaketable.inventory.mapping import SUFFIX
@@ -22,7 +23,7 @@ from shaketable.report.words.numbers import in_hundred, limits_in_hundred
 from shaketable.units import degrees
 from shaketable.web.answers import Assessed, Counts, Ranked
 from shaketable.web.job_files import REPORT, RESULTS, Watch
-from shaketable.web.list_reading import GivenList, not_used_here, without_level
+from shaketable.web.list_reading import GivenList, without_level
 from shaketable.web.questions import Assess, Thing, Upright
 from shaketable.web.shaking import pairs_of, suite_of
 from shaketable.web.work import in_hundreds
@@ -51,13 +52,21 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
         catalogue=asked.catalogue,
     )
     motions = suite_of(asked.suite) if asked.planar else pairs_of(asked.suite)
+    described = asked.building and {
+        "name": Path(asked.name).stem,
+        **asked.building.model_dump(),
+    }
     # other workers need the other cores
     with RunLog(_command(asked), shown=given.fault) as log, at_most(1):
         with speaking(language):
             inventory, _ = _inventory(given)
         items, read = inventory.items, len(log.messages)
+        house = None
+        if described:
+            ground = suite_of(asked.suite)
+            house = building_of_structure(given.file.path, described, ground)
         result = assess(
-            items, motions, scale=asked.scale, planar=asked.planar, progress=Watch(place)
+            items, house or motions, scale=asked.scale, planar=asked.planar, progress=Watch(place)
         )
         during = log.messages[read:]
         notes = {}
@@ -75,8 +84,11 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
             },
             "motions": {"description": _by(len(motions), asked), "sources": []},
             "scaling": "",
+            "building": described,
         }
-    write_results(result, run, place / REPORT, overwrite=True, languages=LANGUAGES[1:])
+    write_results(
+        result, run, place / REPORT, building=house, overwrite=True, languages=LANGUAGES[1:]
+    )
     for each in LANGUAGES:
         with speaking(each):
             write_csv(_with_remarks(inventory, result), place / REPORT / REMARKS[each])
@@ -88,7 +100,7 @@ def _inventory(given: GivenList) -> tuple[Inventory, list[str]]:
     """A list, and what is said of it, in the language that is spoken."""
     with RunLog(shown=given.fault) as log:
         inventory = given.read()
-    return inventory, [*not_used_here(inventory.items), *without_level(log.messages)]
+    return inventory, without_level(log.messages)
 
 
 def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:

@@ -6,6 +6,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, FailFast, Field, model_validator
 
+from shaketable.building.typical import STOREY_HEIGHT
 from shaketable.records import SUITES
 from shaketable.records.plausible import LOUDEST
 from shaketable.records.text import STEPS
@@ -215,6 +216,17 @@ COLUMNS_SAID = (
     'such as "H" = "height_cm", and "" for a column that is not used'
 )
 OF_CATALOGUE = "take sizes that are left out from the catalogue of common things"
+StructureWord = Literal[
+    "concrete frame", "steel frame", "braced steel frame", "concrete walls", "masonry", "timber"
+]
+
+
+class OfBuilding(Question):
+    """The building of a list, of which only its structure and its storeys are known."""
+
+    storeys: int = Field(ge=1, le=60, description="above the ground")
+    structure: StructureWord
+    storey_height_m: float = Field(STOREY_HEIGHT, ge=2, le=10, description="[m]")
 
 
 class Assess(Question):
@@ -227,6 +239,9 @@ class Assess(Question):
     columns: str = Field("", max_length=MOST_COLUMNS_SAID, description=COLUMNS_SAID)
     accept_sizes: bool = Field(False, description="take sizes that furniture does not have")
     catalogue: bool = Field(False, description=OF_CATALOGUE)
+    building: OfBuilding | None = Field(
+        None, description="on whose floors the list's objects stand; without, on the ground"
+    )
     planar: bool = Field(False, description="leave three dimensions out, which is quicker")
 
 

@@ -75,7 +75,8 @@ function understood(name, data, options) {
 
 // What the list that was given said and the cells of the page do not: sheets, units beside names.
 function carry(before, list) {
-  Object.assign(list, { sheets: before.sheets, sheet: before.sheet });
+  const { sheets, sheet, builtAs } = before;
+  Object.assign(list, { sheets, sheet, building: before.building, builtAs });
   list.columns.forEach((column, k) => { if (!column.meaning) column.unit = before.columns[k]?.unit ?? ""; });
 }
 
@@ -107,6 +108,7 @@ function showList() {
   find("faults").replaceChildren(...faults.map((fault) => make("li", fault)));
   find("notes").replaceChildren(...notes.map((note) => make("li", note)));
   if (which) return;
+  showBuilding();
   showColumns(view.list, view.file?.name ?? view.name, again);
   const head = make("tr");
   head.append(make("td"));
@@ -140,6 +142,34 @@ function showList() {
   find("understood").hidden = false;
 }
 
+const STRUCTURES = ["concrete frame", "steel frame", "braced steel frame", "concrete walls", "masonry", "timber"];
+
+// The building: what a sheet of the workbook says of it, until somebody chooses.
+function showBuilding() {
+  const { building, floors } = view.list;
+  if (building && !view.list.builtAs) {
+    find("structure").value = building.structure;
+    find("storeys").value = building.storeys;
+    view.list.builtAs = true;
+  }
+  find("storeys").disabled = !find("structure").value;
+  find("floors-unused").hidden = !floors || Boolean(find("structure").value);
+}
+
+function nameStructures() {
+  const chosen = find("structure").value;
+  find("structure").replaceChildren(
+    new Option(say("list_structure_none"), ""),
+    ...STRUCTURES.map((each) => new Option(say(`structure_${each.replaceAll(" ", "_")}`), each)),
+  );
+  find("structure").value = chosen;
+}
+
+function building() {
+  const structure = find("structure").value;
+  return structure ? { structure, storeys: Number(find("storeys").value) } : null;
+}
+
 // The list as it stands in the page, for the server.
 function csv() {
   const quoted = (text) => `"${String(text ?? "").replaceAll('"', '""')}"`;
@@ -164,7 +194,7 @@ async function run() {
     const name = `${view.name.replace(/\.[^.]*$/, "").slice(0, 100)}.csv`;
     const { id } = await begin({
       name, text, columns, suite: SUITE, planar: find("planar").checked, accept_sizes: find("sizes").checked,
-      catalogue: find("catalogue").checked,
+      catalogue: find("catalogue").checked, building: building(),
     });
     if (mine === asked) follow(id);
     else stop(id).catch(() => {});
@@ -288,6 +318,7 @@ function shaking(thing) {
 
 async function dress(wanted) {
   find("language").value = await speak(wanted, "list_title");
+  nameStructures();
   await retell();
 }
 
@@ -325,6 +356,7 @@ find("empty").addEventListener("click", () => {
   takeSheet();
 });
 find("again").addEventListener("click", again);
+find("structure").addEventListener("change", showBuilding);
 for (const id of ["sizes", "catalogue"]) find(id).addEventListener("change", () => { if (view.list?.columns.length) again(); });
 find("run").addEventListener("click", run);
 find("stop").addEventListener("click", () => stop(view.job).catch(fail));
