@@ -20,6 +20,7 @@ from shaketable.building.typical import typical_period
 from shaketable.criteria import cimellaro_2020, kaneko_hayashi_2004
 from shaketable.inventory import Item, read_inventory
 from shaketable.inventory.template import inventory_template
+from shaketable.report.words.headline import how_sure
 from shaketable.signal import peaks
 from shaketable.tables.template import write_template
 from tests.support.command import refused, shaketable
@@ -73,22 +74,47 @@ def test_a_shear_building(tmp_path: Path, p695: list[Motion]) -> None:
 
 
 def test_a_building_of_which_the_structure_is_known(tmp_path: Path) -> None:
-    """Recordings take turns in the periods that are usual; the table's equation by hand."""
+    """The typical one and those that it may be; the table's equation by hand."""
     path = tmp_path / "office.toml"
     path.write_text('structure = "concrete frame"\nstoreys = 3\nmotions = ["near-field-pulse"]\n')
     building = read_building(path)
     typical = 0.0466 * 9.6**0.9  # Taly, Design of Reinforced Masonry Structures, eq. 7.59
     assert typical == pytest.approx(0.357, abs=0.001)
-    for number, share in enumerate((0.7, 1.0, 1.4, 0.7)):
-        shear = ShearBuilding(storeys=3, first_period=share * typical)
-        alone = floor_motions(shear, building.floors["0"][number])
+    assert list(building.variants) == ["0.25 s", "0.36 s", "0.5 s"]
+    for share, one in zip((0.7, 1.0, 1.4), building.variants.values(), strict=True):
+        shear = ShearBuilding(storeys=3, first_period=float(f"{share * typical:.3g}"))
+        alone = floor_motions(shear, building.floors["0"][0])
         for label, motion in zip("123", alone, strict=True):
-            floor = building.floors[label][number]
-            assert floor.horizontal == pytest.approx(motion.horizontal, abs=1e-12)
-    assert "0.25, 0.36, 0.5 s in turn from recording to recording" in building.told
+            assert one.floors[label][0].horizontal == pytest.approx(motion.horizontal, abs=1e-12)
+    assert building.floors["3"][0] == building.variants["0.36 s"].floors["3"][0]
+    assert "0.25 s, 0.36 s, 0.5 s are usual" in building.told
     assert "Table 7.4" in building.told
     assert typical_period("steel frame", 3) == pytest.approx(0.0724 * 9.6**0.8)
     assert typical_period("timber", 2, 2.5) == pytest.approx(0.0488 * 5**0.75)
+    for storeys in (0, -3, 10**400, 2.5):
+        with pytest.raises(InputError, match="storeys: a whole number from 1 to 200"):
+            typical_period("timber", storeys)  # type: ignore[arg-type]
+
+
+def test_of_the_buildings_that_it_may_be_the_worst_leads(tmp_path: Path) -> None:
+    """Each object's share is the largest of those in each building alone."""
+    path = tmp_path / "office.toml"
+    path.write_text('structure = "steel frame"\nstoreys = 4\nmotions = ["near-field-pulse"]\n')
+    building = read_building(path)
+    (tmp_path / "a.csv").write_text(
+        "name,depth_m,height_m,floor\na,0.3,1.0,4\nb,0.5,1.8,4\nc,0.8,2.0,2\nd,0.3,0.8,0\n"
+    )
+    items = read_inventory(tmp_path / "a.csv")
+    found = assess(items, building, planar=True, progress=False)
+    alone = [
+        assess(items, each, planar=True, progress=False).results
+        for each in building.variants.values()
+    ]
+    worst = [max(one.governing_share.value for one in same) for same in zip(*alone, strict=True)]
+    assert [each.governing_share.value for each in found.results] == worst
+    assert len({tuple(one.governing_share.value for one in each) for each in alone}) == 3
+    assert found.tried == tuple(building.variants)
+    assert any("were tried, and of each object" in each for each in how_sure(found))
 
 
 def test_a_building_is_softer_in_one_direction(tmp_path: Path, p695: list[Motion]) -> None:
@@ -289,7 +315,7 @@ def test_the_sheet_of_a_list_is_its_building(tmp_path: Path) -> None:
     assert (ground.returncode, sheet.returncode, file.returncode) == (0, 0, 0), sheet.stderr
     tables = [(tmp_path / each / "results.csv").read_text() for each in ("ground", "sheet", "file")]
     assert tables[1] == tables[2] != tables[0]
-    assert "whose first period is not known" in sheet.stdout.replace("\n", " ")
+    assert "first period is not known" in sheet.stdout.replace("\n", " ")
     run = json.loads((tmp_path / "sheet" / "run.json").read_text())
     assert run["building"] == {"name": "Wing", "storeys": 2, "structure": "timber"}
 

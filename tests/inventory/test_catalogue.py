@@ -50,6 +50,22 @@ def test_its_ranges_are_those_of_things() -> None:
         ("Bücherregal Flur", "bookcase"),
         ("BOOKCASES (8)", "bookcase"),
         ("Wandregal", "bookcase"),
+        ("oak bookcase, 2.06 m", "bookcase"),
+        ("Printer shelf", "bookcase"),
+        ("Microscope cabinet", "cupboard"),
+        ("Armario de impresora", "cupboard"),
+        ("CO2-Inkubator", "incubator"),
+        # what is another thing, or of another thing
+        ("Bookcase with television", ""),
+        ("Regal für Drucker", ""),
+        ("プリンター棚", ""),
+        ("Desk lamp", ""),
+        ("MRI compatible injector", ""),
+        ("CT contrast injector", ""),
+        ("Shoe rack", ""),
+        ("Lichtschranke", ""),
+        ("Automatisches Blutdruckmessgerät", ""),
+        ("Desk pedestal", ""),
         ("Sauerstoffflaschen", "gas cylinder large"),
         ("Armario de reactivos", "chemical cabinet"),
         ("Armario", "cupboard"),
@@ -106,10 +122,18 @@ def test_what_it_commonly_is_counts(tmp_path: Path) -> None:
     assert locked.castors is Castors.LOCKED
 
 
+def test_what_a_name_says_is_round_stays_so(tmp_path: Path) -> None:
+    """Until a shape is said it gets no class, whatever the catalogue takes it for."""
+    (table,) = read(tmp_path, "name,width_m,height_m\nRound table,,\n")
+    assert (table.assumed_as, table.may_be_round) == ("table", True)
+    (drum,) = read(tmp_path, "name,diameter_m,height_m\nbookcase,0.5,\n")
+    assert (drum.shape, drum.height) == (BaseShape.CYLINDER, 2.2)
+
+
 def test_it_is_asked_for(tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"line 1: no column for the 'height'.*--catalogue takes"):
         read(tmp_path, "name,quantity\nbookcase,3\n", catalogue=False)
-    text = "name,depth_m,height_m\nbookcase,0.3,1.8\nbookcase low,0.3,\nthing,0.3,\n"
+    text = "name,depth_m,height_m\nbookcase,0.3,1.8\noak bookcase,0.3,\nthing,0.3,\n"
     with pytest.raises(InputError) as told:
         read(tmp_path, text, catalogue=False)
     assert "the catalogue has usual sizes of 'bookcase': --catalogue takes them" in str(told.value)

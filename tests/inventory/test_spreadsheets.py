@@ -419,7 +419,9 @@ def test_its_menus_are_understood(tmp_path: Path, language: str) -> None:
 def test_a_building_that_is_half_said_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "a.xlsx"
     for cells, said in (
-        (("", 3, None), "storeys or structure alone"),
+        (("", 3, None), "does not say both storeys and structure"),
+        (("", None, None, 4.5), "does not say both storeys and structure"),
+        (("", "=2+3", "timber"), "a formula without a value"),
         (("", "three", "timber"), "expected a positive number, found 'three'"),
         (("", 2.5, "timber"), "expected a whole number, found 2.5"),
         (("", 2, "straw"), "expected concrete frame, steel frame.*found 'straw'"),

@@ -18,6 +18,7 @@ from scipy.spatial.transform import Rotation, Slerp
 
 from shaketable import Body, General, Solid, read_inventory, simulate, suite
 from shaketable.assess.classes import NOT_CLASSED
+from shaketable.building.typical import STRUCTURES
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
 from shaketable.inventory.template import inventory_template
 from shaketable.language import LANGUAGES
@@ -463,6 +464,44 @@ def test_a_list_from_file_to_report(page: Any, address: str, tmp_path: Path) -> 
     assert page.input_value("#width_m") == "32"
 
 
+def test_sorting_keeps_a_film_and_places_are_told(page: Any, address: str, tmp_path: Path) -> None:
+    mine = tmp_path / "mine.csv"
+    mine.write_text(
+        "name,quantity,depth_m,width_m,height_m,floor,location\n"
+        "shelf,2,0.32,0.9,1.8,0,E12\nbox,3,0.5,0.5,0.6,0,E14\ntable,1,0.8,1.2,0.7,0,E12\n"
+    )
+    page.goto(f"{address}/list")
+    page.set_input_files("#file", str(mine))
+    page.wait_for_selector("text=3 kinds of object were read")
+    curve = {"name": "site.csv", "mimeType": "", "buffer": CURVE}
+    page.click("summary:has-text('How strong does it shake at my site?')")
+    page.set_input_files("#hazard", curve)
+    page.wait_for_selector("#told:has-text('The curve was read')")
+    chosen = page.locator("#level option:checked").inner_text()
+    assert chosen == "strong shaking, once in some 475 years at the site of site.csv: PGA 0.48 g"
+    page.check("#planar")
+    page.click("#run")
+    page.wait_for_selector("#cards .card", timeout=300_000)
+    page.click("#cards .card:has-text('shelf') summary")
+    page.click("#cards .card:has-text('shelf') button >> nth=0")
+    page.wait_for_selector("#cards .trace svg")
+    page.select_option("#sort", "place")
+    assert page.locator("#cards .trace svg").count() == 1
+    titles = page.locator("#cards h3").all_inner_texts()
+    assert [title.split(":")[0] for title in titles] == ["floor 0 · E12", "floor 0 · E14"]
+    assert "of 3 pieces fall or go too far" in titles[0]
+    page.select_option("#sort", "name")
+    assert page.locator("#cards .trace svg").count() == 1
+    assert page.locator("#cards h3").count() == 0
+    assert serious(page) == []
+
+
+def test_shake_is_seen_at_once(page: Any) -> None:
+    """The button stands within the first screen, and nothing lies over what is below it."""
+    box = page.locator("#shake").bounding_box()
+    assert box["y"] + box["height"] <= page.viewport_size["height"]
+
+
 def test_a_list_with_decimal_commas(page: Any, address: str, tmp_path: Path) -> None:
     """Excel's usual CSV in Spanish; what the page sends back means the same."""
     mine = tmp_path / "mía.csv"
@@ -496,6 +535,7 @@ def test_headings_can_be_corrected(page: Any, address: str, tmp_path: Path) -> N
     page.wait_for_selector("text=All 4 columns are used.")
 
 
+CURVE = b"PGA [g],annual rate of exceedance\n0.01,0.1\n0.1,0.01\n1.0,0.001\n"
 MESSY = """Inventar Labor,,,,
 Gegenstand,Z,Breite,Höhe,Rollengröße
 ,mm,cm,cm,
@@ -591,17 +631,22 @@ def test_the_building_is_asked_for_and_read_from_its_sheet(
     assert page.is_visible("#floors-unused")
     page.select_option("#structure", "masonry")
     assert not page.is_visible("#floors-unused")
-    for k, value in enumerate(("Klinik", 5, "Stahlrahmen"), 1):
+    page.select_option("#structure", "masonry")
+    for k, value in enumerate(("Klinik", 5, "Stahlrahmen", 4.5), 1):
         book["Gebäude"].cell(k, 2, value)
     book.save(mine)
     page.reload()
     page.set_input_files("#file", str(mine))
     page.wait_for_selector("text=4 kinds of object were read")
     assert (page.input_value("#structure"), page.input_value("#storeys")) == ("steel frame", "5")
+    assert page.input_value("#storey-height") == "4.5"
     page.click("#again")
     page.wait_for_selector("text=4 kinds of object were read")
     assert page.input_value("#structure") == "steel frame"
     assert serious(page) == []
+    page.click("#empty")  # another list is in no building, until it says one
+    page.wait_for_selector("text=2 kinds of object were read")
+    assert page.input_value("#structure") == ""
 
 
 def test_sizes_that_are_missing_are_taken_from_the_catalogue(
@@ -734,6 +779,8 @@ def test_every_word_that_is_asked_for_is_there() -> None:
     for path in STATIC.glob("*.html"):
         asked |= set(re.findall(r'data-(?:text|help)="(\w+)"', path.read_text("utf-8")))
     asked |= {f"list_{name}" for name in get_args(Counts)}
+    structures = {f"structure_{name.replace(' ', '_')}" for name in STRUCTURES}
+    asked |= structures
     asked |= set(re.findall(r'text: "(\w+)"', (STATIC / "state.js").read_text("utf-8")))
     beside = set(re.findall(r'(\w+): \["\w+_mm"', (STATIC / "state.js").read_text("utf-8")))
     assert len(beside) == 3
@@ -749,8 +796,7 @@ def test_every_word_that_is_asked_for_is_there() -> None:
         for key in words
         if f'"{key.removesuffix("_help")}"' not in sources
         and not key.startswith(made)
-        and key not in beside
-        and key not in of_rooms
+        and key not in beside | of_rooms | structures
     ]
     assert unused == []
 

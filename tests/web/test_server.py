@@ -17,6 +17,7 @@ import httpx
 import pandas as pd
 import pytest
 
+from shaketable import Body, Rocking, simulate_many, suite
 from shaketable.web.snippets import CALLS, HOST
 from tests.web.conftest import start_server
 
@@ -245,7 +246,8 @@ def test_a_list_is_understood_and_its_faults_are_told(client: httpx.Client) -> N
     assert found["faults"] == []
     assert found["objects"] == 2
     assert found["columns"][2] == {
-        "header": "depth_m", "meaning": "depth", "unit": "m", "unused": False, "asked": False,
+        "header": "depth_m", "meaning": "depth", "unit": "m", "renamed": False,
+        "unused": False, "asked": False,
     }  # fmt: skip
     broken = LIST.replace("1.8", "tall")
     found = client.put("/api/list", params={"name": "mine.csv"}, content=broken.encode()).json()
@@ -301,6 +303,38 @@ def test_a_list_is_assessed_in_its_building(client: httpx.Client) -> None:
     assert shares[0]["high"] == shares[0]["low"] == shares[1]["low"] < shares[1]["high"]
     wrong = {**asked, "building": {"storeys": 3, "structure": "straw"}}
     assert client.post("/api/assess", json=wrong).status_code == 422
+
+
+CURVE = b"PGA [g],annual rate of exceedance\n0.01,0.1\n0.1,0.01\n1.0,0.001\n"
+
+
+def test_a_list_is_shaken_as_strongly_as_its_site(client: httpx.Client) -> None:
+    """The curve is a straight line in logarithms: once in T years 0.001 T of 1 g, by hand."""
+    found = client.put("/api/hazard", params={"name": "mine.csv"}, content=CURVE).json()["levels"]
+    assert [each["years"] for each in found] == [72, 475]  # the curve ends before 2,475
+    assert found[1]["value"] == pytest.approx(0.475 * 9.80665)
+    assert found[1]["in_words"] == "PGA 0.48 g"
+    near = "fema-p695-near-field-pulse"
+    asked = {"text": LIST, "planar": True, "suite": near}
+    falls = {}
+    for level in (0, 1):
+        given = {key: found[level][key] for key in ("measure", "value")}
+        question = {**asked, "level": {**given, "said": "once in some years"}}
+        job = client.post("/api/assess", json=question).json()["id"]
+        assert ended(client, job) == {"state": "done"}
+        objects = client.get(f"/api/assess/{job}").json()["objects"]
+        falls[level] = next(each["share"] for each in objects if each["name"] == "shelf")
+    assert falls[0] < falls[1]
+    motions = [m.scaled(0.475 * 9.80665 / m.peak_ground_acceleration) for m in suite(near)]
+    by_hand = simulate_many(
+        [Body.rectangle(0.32, 1.8)], motions, model=Rocking(), progress=False
+    )["outcome"]  # fmt: skip
+    assert falls[1] == pytest.approx(float((by_hand != 0).mean()))
+    for wrong in ({"measure": "D5-95", "value": 3.0}, {"measure": "PGA", "value": -1.0}):
+        assert client.post("/api/assess", json={**asked, "level": wrong}).status_code == 422
+    told = client.put("/api/hazard", params={"name": "a.csv"}, content=b"nothing")
+    assert told.status_code == 422
+    assert "a.csv" in told.json()["detail"]
 
 
 def test_an_assessment_is_stopped_or_refused(client: httpx.Client) -> None:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, NamedTuple
 
 from shaketable.assess.castors import CastorFriction
@@ -92,6 +92,7 @@ class Assessment:
         weights: what counts in the order of objects.
         premises: where they stand.
         anchored: items that were not simulated.
+        tried: the buildings of which the worst leads for each object, in words.
     """
 
     floors: Sequence[FloorAssessment]
@@ -104,6 +105,7 @@ class Assessment:
     weights: Weights = field(default_factory=Weights)
     premises: Premises = field(default_factory=lambda: premises_of(None))
     anchored: Sequence[Item] = ()
+    tried: Sequence[str] = ()
 
     @property
     def in_building(self) -> bool:
@@ -177,3 +179,24 @@ class Assessment:
     def _repr_html_(self) -> str:
         """For notebooks: the table."""
         return self.table.to_html(float_format=lambda value: f"{value:.3g}")
+
+
+def worst_of(found: Mapping[str, Assessment]) -> Assessment:
+    """Of each object what was found in the building in which it falls most often.
+
+    Args:
+        found: the same items in several buildings, by what these are called.
+    """
+    every = list(found.values())
+    floors = []
+    for alike in zip(*(each.floors for each in every), strict=True):
+        results = [
+            max(same, key=lambda each: each.governing_share.value)
+            for same in zip(*(floor.results for floor in alike), strict=True)
+        ]
+        smallest = min(floor.smallest_pga for floor in alike)
+        largest = max(floor.largest_pga for floor in alike)
+        floors.append(
+            replace(alike[0], results=results, smallest_pga=smallest, largest_pga=largest)
+        )
+    return replace(every[0], floors=floors, tried=tuple(found))

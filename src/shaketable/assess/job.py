@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from shaketable.assess.advice import with_advice
-from shaketable.assess.assessment import Assessment, Level
+from shaketable.assess.assessment import Assessment, Level, worst_of
 from shaketable.assess.castors import CastorFriction
 from shaketable.assess.floor import floor_of, model_in_space
 from shaketable.assess.mitigation import LEADING, Premises, kinds_of, premises_of
@@ -66,8 +66,8 @@ def assess(
         items: the inventory; in a building each item has the label of its floor. Items that are
             anchored are listed and not simulated.
         motions: such as `suite(name, pairs=True)` gives, of which those with one component are
-            left out where enough have both; or a building with those of its floors. The default
-            suite if None.
+            left out where enough have both; or a building with those of its floors, all of its
+            variants, of which the worst leads for each object. The default suite if None.
         scale: factor on all motions.
         levels: other factors on all motions, for which falls alone are counted.
         tilt: β [rad] >= 0 of what the items stand on now, toward their fronts; what stands on
@@ -92,6 +92,29 @@ def assess(
     """
     if motions is None:
         motions = suite(DEFAULT_SUITE, pairs=True)
+    if isinstance(motions, Building) and motions.variants:
+        return worst_of(
+            {
+                name: assess(
+                    items,
+                    each,
+                    scale=scale,
+                    levels=levels,
+                    tilt=tilt,
+                    control=control,
+                    model=model,
+                    castors=castors,
+                    weights=weights,
+                    uncertainty=uncertainty,
+                    planar=planar,
+                    premises=premises,
+                    mitigations=mitigations,
+                    leading=leading,
+                    progress=progress,
+                )
+                for name, each in motions.variants.items()
+            }
+        )
     items = listed("items", items, Item, _ITEM)
     require_control(control)
     where = premises_of(premises)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from shaketable.errors import InputError, named
@@ -25,6 +25,8 @@ class Building:
         told: where the motions come from, in words.
         files: what they were read from.
         computed: whether motion k of every floor comes from motion k of the ground, the lowest.
+        variants: the buildings that it may be, by their first periods in words, where that is not
+            known; it is then the one that is typical.
     """
 
     name: str
@@ -32,6 +34,7 @@ class Building:
     told: str
     files: Sequence[Path] = ()
     computed: bool = False
+    variants: Mapping[str, Building] = field(default_factory=dict)
 
     @property
     def ground(self) -> Sequence[Motion]:
@@ -44,7 +47,8 @@ class Building:
             label: [part for motion in motions for part in motion.components()]
             for label, motions in self.floors.items()
         }
-        return replace(self, floors=floors)
+        variants = {name: each.in_components() for name, each in self.variants.items()}
+        return replace(self, floors=floors, variants=variants)
 
     def scaled_to(self, measure: IntensityMeasure) -> Building:
         """The building with every motion of its lowest floor scaled to 1 of a measure.
@@ -62,7 +66,8 @@ class Building:
                 label: [m.scaled(f) for m, f in zip(motions, factors, strict=True)]
                 for label, motions in self.floors.items()
             }
-            return replace(self, floors=floors)
+            variants = {name: each.scaled_to(measure) for name, each in self.variants.items()}
+            return replace(self, floors=floors, variants=variants)
         by_event = self._factors_by_event(measure)
         floors = {
             label: [motion.scaled(by_event[_event_of(motion)]) for motion in motions]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -25,8 +26,7 @@ from shaketable.synthesis import (
     profile_motions,
 )
 
-#: The floors above the ground, from the number of a recording and its motion of the ground.
-Floors = Callable[[int, Motion], list[Motion]]
+Floors = Callable[[Motion], list[Motion]]  # those above the ground, from its motion
 Kind = Callable[[str, Mapping[str, Any]], tuple[Floors, str]]
 
 FACTORS = ("response_modification", "overstrength", "importance")
@@ -50,7 +50,7 @@ def building(
         described: what its file says.
         ground: motions of the ground in place of those that the file names.
         progress: whether to draw a bar while folders are read.
-        kind: `by_shear`, `by_structure` or `by_profile`.
+        kind: `by_shear` or `by_profile`.
 
     Raises:
         InputError: values out of range, or no motions of the ground.
@@ -71,9 +71,9 @@ def building(
     if (axis := described.get("x_direction_deg")) is not None:
         pairs = [along(motion, axis) for motion in pairs]
     floors: dict[str, list[Motion]] = {str(k): [] for k in range(described["storeys"] + 1)}
-    for number, motion in enumerate(pairs):
+    for motion in pairs:
         try:
-            shaken = [motion, *above(number, motion)]
+            shaken = [motion, *above(motion)]
         except InputError as error:
             raise refused(path, str(error)) from None
         for k, floor in enumerate(shaken):
@@ -134,33 +134,47 @@ def by_shear(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
         periods=periods,
         damping=shear.damping,
     )
-    return lambda _, motion: floor_motions(shear, motion, across=both[1]), told
+    return partial(floor_motions, shear, across=both[1]), told
 
 
-def by_structure(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
-    """The same of which only structure and height are known: recordings take turns in its periods.
+def of_structure(
+    path: Path,
+    name: str,
+    described: Mapping[str, Any],
+    ground: Sequence[Motion],
+    progress: Progress,
+) -> Building:
+    """A shear building of which only structure and height are known, with those that it may be.
 
-    Each share is then over the periods that such a building may have.
+    Args:
+        path, name, described, ground, progress: as for `building`.
+
+    Raises:
+        InputError: likewise.
     """
-    storeys, structure = described["storeys"], described["structure"]
-    typical = typical_period(structure, storeys, described.get("storey_height_m", STOREY_HEIGHT))
-    damping = described.get("damping", 0.05)
-    varied = [
-        ShearBuilding(storeys=storeys, first_period=share * typical, damping=damping, name=name)
-        for share in VARIED
-    ]
+    try:
+        structure, storeys = described["structure"], described["storeys"]
+        height = described.get("storey_height_m", STOREY_HEIGHT)
+        typical = typical_period(structure, storeys, height)
+    except InputError as error:
+        raise refused(path, str(error)) from None
+    rest = {key: value for key, value in described.items() if key != "structure"}
+    variants = {}
+    for share in VARIED:
+        period = float(f"{share * typical:.3g}")
+        given = {**rest, "first_period_s": period}
+        variants[f"{period:.2g} s"] = building(path, name, given, ground, progress, by_shear)
+    usual = variants[f"{float(f'{typical:.3g}'):.2g} s"]
     told = tell(
-        "linear shear building of {storeys} storeys, {structure}, whose first period is not known: "
-        "{periods} s in turn from recording to recording, around the {typical:.2g} s that are "
-        "typical ({source}), damping {damping:g}",
-        storeys=storeys,
+        "{structure}, whose first period is not known: {typical:.2g} s are typical ({source}), and "
+        "{periods} are usual; {told}",
         structure=translated(structure),
-        periods=", ".join(f"{each.first_period:.2g}" for each in varied),
         typical=typical,
         source=SOURCE,
-        damping=damping,
+        periods=", ".join(variants),
+        told=usual.told,
     )
-    return lambda number, motion: floor_motions(varied[number % len(varied)], motion), told
+    return replace(usual, told=told, variants=variants)
 
 
 def _twisting(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
@@ -199,7 +213,7 @@ def _twisting(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
         x=e_x,
         y=e_y,
     )
-    return lambda _, motion: corner_motions(twisting, motion), told
+    return partial(corner_motions, twisting), told
 
 
 def by_profile(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
@@ -226,7 +240,7 @@ def by_profile(name: str, described: Mapping[str, Any]) -> tuple[Floors, str]:
         storeys=profile.storeys,
         factor=profile.factors()[-1],
     )
-    return lambda _, motion: profile_motions(profile, motion), told
+    return partial(profile_motions, profile), told
 
 
 def _in_words(given: str | list[str]) -> str:

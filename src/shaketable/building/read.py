@@ -24,8 +24,8 @@ or by a linear shear building, whose floors go from "0", the ground, to its numb
     damping = 0.05
     motions = ["fema-p695-far-field"]  # of the ground: suites, folders, files
 
-or, where its period is not known, by its structure: recordings then take turns in the periods that
-such a building may have,
+or, where its period is not known, by its structure, of which the typical period follows; `assess`
+tries those that are usual, and the worst leads,
 
     name = "Clinic"
     storeys = 3
@@ -131,7 +131,7 @@ def read_building(
         _require_keys(told, STRUCTURE)
         if "storeys" not in described:
             raise refused(path, tell("a structure needs storeys"))
-        return computed.building(path, name, described, ground, progress, computed.by_structure)
+        return computed.of_structure(path, name, described, ground, progress)
     _require_keys(told, SHEAR)
     missing = [key for key in ("storeys", "first_period_s") if key not in described]
     if missing:
@@ -161,7 +161,7 @@ def building_of_structure(
         InputError: values out of range.
     """
     name = str(described.get("name", path.stem))
-    return computed.building(path, name, described, ground, False, computed.by_structure)
+    return computed.of_structure(path, name, described, ground, False)
 
 
 class Overview(NamedTuple):

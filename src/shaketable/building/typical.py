@@ -7,6 +7,7 @@ from typing import NamedTuple
 from shaketable.errors import InputError
 from shaketable.language import tell
 
+MOST_STOREYS = 200
 STOREY_HEIGHT = 3.2  # m, where none is given
 #: Periods of buildings of one structure and height, as shares of the typical one: assumed. A code
 #: gives short ones, as these mean larger forces.
@@ -28,7 +29,7 @@ OTHER = PeriodOfHeight(0.0488, 0.75)
 STRUCTURES = {
     "concrete frame": PeriodOfHeight(0.0466, 0.9),
     "steel frame": PeriodOfHeight(0.0724, 0.8),
-    "braced steel frame": PeriodOfHeight(0.0731, 0.75),
+    "braced steel frame": OTHER,  # those with eccentric braces have longer periods
     "concrete walls": OTHER,
     "masonry": OTHER,
     "timber": OTHER,
@@ -56,6 +57,14 @@ def typical_period(structure: str, storeys: int, storey_height: float = STOREY_H
                 "structure: accepted are {accepted}, found {found!r}",
                 accepted=", ".join(STRUCTURES),
                 found=structure,
+            )
+        )
+    if not (isinstance(storeys, int) and 1 <= storeys <= MOST_STOREYS):
+        raise InputError(
+            tell(
+                "storeys: a whole number from 1 to {most} is expected, found {found!r}",
+                most=MOST_STOREYS,
+                found=storeys,
             )
         )
     if not 2.0 <= storey_height <= 10.0:

@@ -162,6 +162,7 @@ def assess(
         from shaketable.hazard.objects import object_rates
         from shaketable.hazard.rates import YEARS
         from shaketable.inventory import read_with_columns
+        from shaketable.inventory.building_sheet import require_one_building
         from shaketable.report.assessment_folder import write_results
         from shaketable.report.print_pdf import require_printer
         from shaketable.report.results_folder import require_folder
@@ -205,13 +206,8 @@ def assess(
                 "edge, but with the frictions that are tried: %s",
                 named(edges, 10),
             )
-        buildings = sorted({item.building for item in table.items if item.building})
-        if (building is not None or table.building) and len(buildings) > 1:
-            raise InputError(
-                "--building, or the list's sheet of it, is one building, and the inventory's "
-                f"column building has {len(buildings)} ({named(buildings, 5)}): give those of one "
-                "alone, or use shaketable scenario or hazard, which take several"
-            )
+        if building is not None or table.building:
+            require_one_building(table.items)
         house = None
         if building is not None:
             if shaking is None and motion_options != MotionOptions():

@@ -184,6 +184,20 @@ def columns_of(
                 "unknown column {column}; is {meant} meant?", column=quoted(cell.text), meant=meant
             )
             faults.append(sheet.fault(cell, "column", message))
+    faults += [
+        sheet.fault(
+            column.cell,
+            "column",
+            tell(
+                "{unit} is no unit that is known for {meaning!r}; say it with what the column "
+                "means, as in 'height_cm'",
+                unit=quoted(bracketed(column.cell.text)),
+                meaning=column.meaning,
+            ),
+        )
+        for column in columns
+        if column and said_of(column.cell, said) and _hides_a_unit(column)
+    ]
     times = Counter(column.meaning for column in columns if column)
     faults += [
         sheet.fault(
@@ -220,6 +234,13 @@ def columns_of(
     if faults:
         faults.append(Fault(sheet.path, "", "", "accepted", accepted()))
     return columns, faults
+
+
+def _hides_a_unit(column: Column) -> bool:
+    """Whether a heading names in brackets what may be a unit, and none is known."""
+    unit = bracketed(column.cell.text)
+    units = UNITS.get(column.meaning, {})
+    return bool(unit and units) and not column.stated and unit not in units
 
 
 def nearly(cell: Cell, said: ColumnsSaid = MappingProxyType({})) -> Column | None:
@@ -289,8 +310,9 @@ def _meant(header: str) -> str:
         units = UNITS.get(headings()[meaning])
         if units:
             return tell("{meaning!r} in one of {units}", meaning=meaning, units=", ".join(units))
-        english = meaning in _ENGLISH  # "Raum Nr" and "Forma pago" are columns of their own
-        return f"{meaning!r}" if english else ""
+        # "Raum Nr", "Forma pago" and "remarks 2" are columns of their own
+        own = meaning not in _ENGLISH or headings()[meaning] in ONCE
+        return "" if own else f"{meaning!r}"
     return ""
 
 

@@ -64,4 +64,5 @@ def taken_sizes(
     if "mass" not in filled:
         found["mass"] = thing.mass.most
         assumed.append(Assumed("mass", thing.mass.most, thing.mass.least, thing.mass.most))
-    return TakenSizes(thing, found, shape or thing.shape, tuple(assumed))
+    across_is_given = BaseShape.CYLINDER if "diameter" in filled else thing.shape
+    return TakenSizes(thing, found, shape or across_is_given, tuple(assumed))

@@ -76,9 +76,13 @@ def read_inventory(
     Raises:
         InputError: lists the faults of the file, one a line, with the row or cell of each.
     """
-    return read_with_columns(
+    found = read_with_columns(
         path, accept_sizes=accept_sizes, sheet=sheet, columns=columns, catalogue=catalogue
-    ).items
+    )
+    if found.building:
+        text = tell("its sheet of the building is not used here; --building takes a file of one")
+        log.warning(remark(path, text))
+    return found.items
 
 
 def read_with_columns(

@@ -143,7 +143,7 @@ def item_of(
         for need in empty
     ]
     faults += [
-        sheet.fault(row[0], "contradiction", message, headers[meaning])
+        sheet.fault(row[0], "contradiction", message, headers.get(meaning, meaning))
         for meaning, message in (
             [] if faults else [*_contradictions(numbers), *against_shape(numbers, shape)]
         )
@@ -161,14 +161,22 @@ def item_of(
         item = replace(
             item,
             castors=Castors.UNKNOWN if rolls else item.castors,
-            may_be_round=False,  # the catalogue knows its shape
+            # the catalogue knows what is round, and a name may say that this one is, too
+            may_be_round=item.shape is BaseShape.BOX
+            and not text.get("shape")
+            and mentions_round(item.name),
             assumed=taken.assumed,
             assumed_as=taken.thing.key,
         )
     item, wrong = with_surroundings(item, numbers, text)
     if wrong:
         return [
-            sheet.fault(cells[meaning][0], "contradiction", message, headers[meaning])
+            sheet.fault(
+                cells[meaning][0] if meaning in cells else row[0],
+                "contradiction",
+                message,
+                headers.get(meaning, meaning),
+            )
             for meaning, message in wrong
         ], None
     return [], replace(item, row=row[0].row, unread=unread)

@@ -10,6 +10,7 @@ import numpy as np
 
 from shaketable.errors import InputError, require_positive
 from shaketable.motion import Motion
+from shaketable.signal.intensity import Measure, Record
 from shaketable.signal.spectra import Spectrum, spectral_acceleration
 
 
@@ -40,6 +41,19 @@ class IntensityMeasure:
                 f"motion {motion.name!r}: its {self.name} is zero; it cannot be scaled"
             )
         return 1.0 / value
+
+
+def by_measure(measure: Measure) -> IntensityMeasure:
+    """Any measure that grows with the motion [SI].
+
+    Raises:
+        InputError: one that does not, such as a duration.
+    """
+    if measure.power != 1:
+        raise InputError(f"{measure.name}: a motion cannot be scaled to it")
+    return IntensityMeasure(
+        measure.name, lambda motion: measure.of(Record(motion.horizontal, motion.time_step))
+    )
 
 
 def peak_ground_acceleration() -> IntensityMeasure:

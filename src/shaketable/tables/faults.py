@@ -21,7 +21,8 @@ def condensed(faults: Iterable[Fault]) -> list[Fault]:
     """
     by_text: dict[tuple[object, str, str, str], list[Fault]] = {}
     for fault in faults:
-        by_text.setdefault((fault.path, fault.kind, fault.column, fault.text), []).append(fault)
+        said = f"{fault.text}; {fault.mend}"
+        by_text.setdefault((fault.path, fault.kind, fault.column, said), []).append(fault)
     by_cause: dict[tuple[object, str, str], list[list[Fault]]] = {}
     for (path, kind, column, _), some in by_text.items():
         by_cause.setdefault((path, kind, column), []).append(some)

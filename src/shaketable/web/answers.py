@@ -196,6 +196,7 @@ class ColumnRead(BaseModel):
     unit: str = Field(
         description="where it is not used, what its name says in brackets, if anything"
     )
+    renamed: bool = Field(description="a number tells it from another of its name")
     unused: bool = Field(description="somebody said that it is not used")
     asked: bool = Field(
         description="it may say castors, anchors or shapes and is not understood: until somebody "
@@ -233,6 +234,21 @@ class Understood(BaseModel):
     faults: list[str] = Field(description="what must be corrected first, by row and column")
 
 
+class LevelOfSite(BaseModel):
+    """A level of the ground's shaking at a site."""
+
+    years: float = Field(description="in which it is exceeded once, on average")
+    measure: str
+    value: float = Field(description="[SI]")
+    in_words: str = Field(description="with its unit, and the measure")
+
+
+class SiteLevels(BaseModel):
+    """What a hazard curve says, at a few rates; those that it does not reach are left out."""
+
+    levels: list[LevelOfSite]
+
+
 class Started(BaseModel):
     """An assessment that was begun."""
 
@@ -247,6 +263,8 @@ class Ranked(BaseModel):
     """An object of a list, after the shakings."""
 
     name: str
+    building: str
+    floor: str
     where: str
     quantity: int
     risk: str

@@ -9,8 +9,8 @@ from fastapi import FastAPI, HTTPException, Query, Request
 from fastapi.responses import FileResponse, StreamingResponse
 from pydantic import TypeAdapter
 
-from shaketable.web import list_reading, lists
-from shaketable.web.answers import Assessed, Started, Understood
+from shaketable.web import list_reading, lists, site
+from shaketable.web.answers import Assessed, SiteLevels, Started, Understood
 from shaketable.web.jobs import FILES, Jobs
 from shaketable.web.limits import LIST_SECONDS
 from shaketable.web.questions import COLUMNS_SAID, MOST_COLUMNS_SAID, OF_CATALOGUE, Assess
@@ -60,6 +60,11 @@ def add_list_addresses(app: FastAPI) -> None:
             columns,
             catalogue,
         )
+
+    @app.put("/api/hazard", description=described("hazard"), openapi_extra=FILE)
+    async def hazard(request: Request, name: FileName, visitor: Visitor = None) -> SiteLevels:
+        given = (Path(name).name, await request.body(), language_of(request))
+        return await answer_of(request, visitor, LIST_SECONDS, site.levels_of_site, *given)
 
     @app.post("/api/assess", description=described("assess"), status_code=202)
     async def begin(asked: Assess, request: Request, visitor: Visitor = None) -> Started:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import tempfile
-from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -16,7 +15,7 @@ from shaketable.inventory.table import Table, read_table
 from shaketable.inventory.vocabulary import heading
 from shaketable.language import Language, speaking, tell, translated
 from shaketable.report.run_log import RunLog
-from shaketable.tables import SheetChoiceError
+from shaketable.tables import Cell, SheetChoiceError
 from shaketable.web.answers import ColumnMeaning, ColumnRead, Understood
 from shaketable.web.limits import MOST_ROWS
 from shaketable.web.uploads import Upload
@@ -142,7 +141,7 @@ def _understood(given: GivenList, table: Table, log: RunLog) -> Understood:
         sheet=table.sheet.name,
         columns=_columns(table),
         meanings=_meanings(),
-        rows=[[cell.text for cell in row] for row in table.layout.rows],
+        rows=[_sent(row, table) for row in table.layout.rows],
         numbers=[row[0].row for row in table.layout.rows],
         separator=";" if table.sheet.decimal_comma else ",",
         objects=len(items),
@@ -153,24 +152,56 @@ def _understood(given: GivenList, table: Table, log: RunLog) -> Understood:
     )
 
 
+UNREADABLE = "=?"  # of a cell without a value that can be used: a formula, an error
+
+
+def _sent(row: Sequence[Cell], table: Table) -> list[str]:
+    """The texts of a row, as the page shows them and sends them back.
+
+    A cell that cannot be used stays one; what is merged over rows and left out is left out.
+    """
+    columns = {k: column.meaning for k, column in enumerate(table.columns) if column}
+    return [
+        ""
+        if cell.shared and columns.get(k) in ("mass", "quantity")
+        else cell.text or (UNREADABLE if cell.wrong else "")
+        for k, cell in enumerate(row)
+    ]
+
+
 def _columns(table: Table) -> list[ColumnRead]:
     """Columns, those of one heading told apart by a number, as each is said by its heading."""
-    found, seen = [], Counter[str]()
+    found = []
+    seen = {heading(cell.text) for cell in table.layout.header}
+    known: set[str] = set()
     elsewhere = table.layout.units
     for k, (cell, column) in enumerate(zip(table.layout.header, table.columns, strict=True)):
-        same = heading(cell.text)
-        seen[same] += 1
-        again = f" {seen[same]}" if cell.text and seen[same] > 1 else ""
+        name, again = cell.text, 1
+        while name and heading(name) in (known if again == 1 else known | seen):
+            again += 1
+            name = f"{cell.text} {again}"
+        known.add(heading(name))
+        said = elsewhere.get(k) or bracketed(cell.text)
         found.append(
             ColumnRead(
-                header=f"{cell.text}{again}",
+                header=name,
                 meaning=column.meaning if column else "",
-                unit=_offered(column) if column else elsewhere.get(k) or bracketed(cell.text),
-                unused=table.is_said_unused(cell),
+                unit=_offered(column) if column else _SPELLED.get(said, said),
+                renamed=again > 1,
+                # by its new name it would be taken for a slip in a known one
+                unused=table.is_said_unused(cell) or (again > 1 and column is None),
                 asked=table.is_unread(k),
             )
         )
     return found
+
+
+#: Each unit as it is offered: "lb" for "lbs".
+_SPELLED = {
+    unit: next(one for one, same in units.items() if same == factor)
+    for units in UNITS.values()
+    for unit, factor in units.items()
+}
 
 
 def _meanings() -> list[ColumnMeaning]:

@@ -14,12 +14,15 @@ from shaketable.body import Body
 from shaketable.building import building_of_structure
 from shaketable.engine.pool import at_most
 from shaketable.inventory import BaseShape, Inventory, Item
+from shaketable.inventory.building_sheet import require_one_building
 from shaketable.inventory.mapping import SUFFIX
 from shaketable.language import LANGUAGES, Language, speaking, tell
 from shaketable.report.assessment_folder import write_results
 from shaketable.report.run_log import RunLog, sha256
 from shaketable.report.words import advice, answer, findings, headline
 from shaketable.report.words.numbers import in_hundred, limits_in_hundred
+from shaketable.signal.intensity import measure_named
+from shaketable.signal.scaling import by_measure
 from shaketable.units import degrees
 from shaketable.web.answers import Assessed, Counts, Ranked
 from shaketable.web.job_files import REPORT, RESULTS, Watch
@@ -63,10 +66,18 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
         items, read = inventory.items, len(log.messages)
         house = None
         if described:
+            with speaking(language):
+                require_one_building(items)
             ground = suite_of(asked.suite)
             house = building_of_structure(given.file.path, described, ground)
+        scale, scaling = asked.scale, ""
+        if asked.level:
+            scale, scaling = asked.level.value, asked.level.told()
+            measure = by_measure(measure_named(asked.level.measure))
+            house = house and house.scaled_to(measure)
+            motions = [motion.scaled(measure.factor(motion)) for motion in motions]
         result = assess(
-            items, house or motions, scale=asked.scale, planar=asked.planar, progress=Watch(place)
+            items, house or motions, scale=scale, planar=asked.planar, progress=Watch(place)
         )
         during = log.messages[read:]
         notes = {}
@@ -83,7 +94,7 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
                 "columns": asked.columns,
             },
             "motions": {"description": _by(len(motions), asked), "sources": []},
-            "scaling": "",
+            "scaling": scaling,
             "building": described,
         }
     write_results(
@@ -163,6 +174,8 @@ def _ranked(result: ItemResult, assessment: Assessment) -> Ranked:
     item = result.item
     return Ranked(
         name=item.name,
+        building=item.building,
+        floor=item.floor,
         where=item.location,
         quantity=item.quantity,
         risk=result.risk,

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from typing import Annotated, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, FailFast, Field, model_validator
+from pydantic import BaseModel, ConfigDict, FailFast, Field, field_validator, model_validator
 
 from shaketable.building.typical import STOREY_HEIGHT
 from shaketable.records import SUITES
 from shaketable.records.plausible import LOUDEST
 from shaketable.records.text import STEPS
+from shaketable.signal.intensity import measure_named
+from shaketable.signal.scaling import by_measure
 from shaketable.units import OFFERED_UNITS, STANDARD_GRAVITY
 from shaketable.web.limits import LEAST_FRICTION, LEAST_SIZE, MOST_NAME, MOST_SAMPLES
 
@@ -229,6 +231,29 @@ class OfBuilding(Question):
     storey_height_m: float = Field(STOREY_HEIGHT, ge=2, le=10, description="[m]")
 
 
+class OfLevel(Question):
+    """The level that every recording is scaled to."""
+
+    measure: str = Field(max_length=20, description="of the ground, such as PGA, PGV or SA(1.0)")
+    value: float = Field(gt=0, le=1000, description="[SI]")
+    said: str = Field("", max_length=300, description="the level in words, for the report")
+
+    @field_validator("measure")
+    @classmethod
+    def _known(cls, name: str) -> str:
+        measure = measure_named(name)
+        by_measure(measure)
+        return measure.name
+
+    def told(self) -> str:
+        """What the report says of it."""
+        return (
+            f"{self.said or f'{self.measure} {self.value:.3g} (SI)'}. Each recording is scaled to "
+            "that level; durations and mixes of frequencies stay as they were recorded, and a real "
+            "earthquake of that level may last longer or shake more slowly."
+        )
+
+
 class Assess(Question):
     """A list of objects under a suite."""
 
@@ -242,6 +267,7 @@ class Assess(Question):
     building: OfBuilding | None = Field(
         None, description="on whose floors the list's objects stand; without, on the ground"
     )
+    level: OfLevel | None = Field(None, description="of the ground, in place of as recorded")
     planar: bool = Field(False, description="leave three dimensions out, which is quicker")
 
 

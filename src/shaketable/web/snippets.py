@@ -82,6 +82,8 @@ DOES = {
     "record": "Read a record of acceleration: the file is the body of the request.",
     "list": "Read a list of objects, in any format that `assess` reads: the file is the body of "
     "the request. Told are its rows, what the columns were taken for, and what is wrong.",
+    "hazard": "Read the hazard curve of a site: the file is the body of the request. Told are the "
+    "levels that come once in 72, 475 and 2,475 years, which `assess` takes.",
     "assess": "Assess a list of objects; the id is of the job that was begun.",
     "room": "Read a room, as the command line's `room check` does: the file is the body of the "
     "request. Told are its tables, and all that is wrong with its plan.",

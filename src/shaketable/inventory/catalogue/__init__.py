@@ -8,6 +8,7 @@ them. A thing is added as a row; no code is needed.
 from __future__ import annotations
 
 import csv
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -18,9 +19,16 @@ from shaketable.inventory.vocabulary import heading
 
 LANGUAGES = ("en", "es", "de", "it", "ja")
 #: Endings of plurals, which a word in a list may have and the catalogue's need not.
-_PLURALS = ("", "s", "es", "n", "en", "e", "er")
+_PLURALS = {
+    "en": ("", "s", "es"), "es": ("", "s", "es"), "de": ("", "e", "n", "en", "er"), "it": ("",),
+}  # fmt: skip
 _COMPOUND = 5  # letters: shorter words end others by chance
-_UNSPACED = "\u3000"  # letters from here on are of languages without blanks between words
+_MORE = re.compile(r"(?<=\D)(?=\d)|[(\[,;/]")  # what comes then says which one it is
+#: Of a thing that is another one's.
+_JOINS = re.compile(
+    r"(^|\s)(für|mit|auf|unter|neben|und|for|with|on|under|beside|and|para|con|sobre|junto|y|per|su|"
+    r"sotto|e)(\s|$)|[&+]|用"
+)
 
 
 @dataclass(frozen=True)
@@ -90,32 +98,56 @@ def _range(text: str, unit: float = 1.0) -> Range:
 
 
 def common_thing(name: str) -> CommonThing | None:
-    """The thing of the catalogue that a name speaks of, by the longest of its words; None if none.
+    """The thing of the catalogue that a name is, None if none.
 
-    Singular or plural; a German word may end a compound ("Wandregal").
+    The name is one of its words, singular or plural, with what else it is called where the language
+    puts that: before it in English and Japanese ("steel bookcase"), after it in Italian and Spanish
+    ("armario alto"), both in German, also in one word ("Wandregal"). Numbers and what stands in
+    brackets or after a comma do not count. What is for, with or on another thing is none.
     """
     told = heading(name)
+    exact = _words().get(told)
+    if exact:
+        return catalogue()[exact]
+    told = heading(_MORE.split(told)[0])
+    if not told or _JOINS.search(told):
+        return None
     found = [
         (len(word), key)
-        for (word, language), key in _words().items()
-        if _speaks_of(told, word, language)
+        for language, words in _by_language().items()
+        for word, key in words.items()
+        if _is_one(told, word, language)
     ]
     return catalogue()[max(found)[1]] if found else None
 
 
 @cache
-def _words() -> Mapping[tuple[str, str], str]:
-    """Keys of things by their words and the languages of these."""
+def _by_language() -> Mapping[str, Mapping[str, str]]:
+    """Keys of things by their words, of each language."""
     return {
-        (heading(word), language): thing.key
-        for thing in catalogue().values()
-        for language, words in thing.names.items()
-        for word in words
+        language: {
+            heading(word): thing.key
+            for thing in catalogue().values()
+            for word in thing.names[language]
+        }
+        for language in LANGUAGES
     }
 
 
-def _speaks_of(told: str, word: str, language: str) -> bool:
-    if word[0] >= _UNSPACED:
-        return word in told
-    before = "" if language == "de" and len(word) >= _COMPOUND else " "
-    return any(f"{before}{word}{ending} " in f" {told} " for ending in _PLURALS)
+@cache
+def _words() -> Mapping[str, str]:
+    """The same of all languages."""
+    return {word: key for words in _by_language().values() for word, key in words.items()}
+
+
+def _is_one(told: str, word: str, language: str) -> bool:
+    if language == "ja":
+        return told.endswith(word) or re.fullmatch(f"{re.escape(word)}[a-z]?", told) is not None
+    endings = "|".join(_PLURALS[language])
+    one = f"{re.escape(word)}(?:{endings})"
+    before = language in ("en", "de") and re.search(rf"(^|\s){one}$", told)
+    first = language in ("es", "it") or (language == "de" and len(word) >= _COMPOUND)
+    after = first and re.match(rf"{one}(\s|$)", told)
+    ends = len(word) >= _COMPOUND and re.search(rf"{re.escape(word)}n?$", told)
+    compound = language == "de" and ends
+    return bool(before or after or compound)

@@ -212,6 +212,15 @@ def how_sure(assessment: Assessment) -> list[str]:
             sentences.append(said)
     sentences += space.how_sure(assessment)
     sentences += how_many_are_assumed(kinds)
+    if assessment.tried:
+        sentences.append(
+            tell(
+                "The first period of the building is not known: {periods} were tried, and of each "
+                "object the one counts in which it falls most often. The building may have "
+                "another one.",
+                periods=", ".join(assessment.tried),
+            )
+        )
     if untold:
         sentences.append(
             tell(

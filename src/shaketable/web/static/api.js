@@ -48,6 +48,11 @@ export function understand(name, data, { sizes, catalogue, sheet, columns = "" }
   return send(`list?${new URLSearchParams(asked)}`, { method: "PUT", body: data }, waits);
 }
 
+// The hazard curve of a site: levels of shaking, each by how seldom it comes.
+export function readHazard(file, waits) {
+  return send(`hazard?${new URLSearchParams({ name: file.name.slice(-LONGEST) })}`, { method: "PUT", body: file }, waits);
+}
+
 // A room's file, read: its tables and its faults.
 export function readRoom(name, data, waits) {
   return send(`room?${new URLSearchParams({ name: name.slice(-LONGEST) })}`, { method: "PUT", body: data }, waits);

@@ -1,20 +1,16 @@
 // A list of objects: read, corrected, assessed, and what was found.
 
-import { ask, begin, understand, result, stop, watch } from "./api.js";
-import { Player } from "./film.js";
+import { begin, readHazard, result, stop, understand, watch } from "./api.js";
+import { Cards } from "./list_cards.js";
 import { SUFFIX, saidOf, showColumns, showSheets } from "./list_columns.js";
 import { failure, find, make } from "./page.js";
-import { pathOf } from "./state.js";
-import { number, prefer, preferred, say, speak } from "./texts.js";
-import { sentence } from "./verdict.js";
+import { number, numberIn, prefer, preferred, say, speak, written } from "./texts.js";
 
 // `file` is the one that was given: its name, its data, and what it says of its columns.
 const view = { list: null, file: null, name: "list.csv", job: null, found: null, events: null, told: null };
 const SUITE = "fema-p695-both-directions"; // by which lists are shaken
+const cards = new Cards(SUITE);
 const EXAMPLE = "name,quantity,location,depth_m,width_m,height_m\nBookcase,8,corridor,0.32,0.9,1.8\nCabinet,3,office,0.45,0.9,1.1\n";
-
-let shown = null; // the player of a card, one at a time
-const metres = (value) => `${number(value)} m`;
 
 // What is told is kept as a key, so that it is told again in another language.
 function tell(key, values = {}) {
@@ -118,7 +114,7 @@ function showList() {
     const box = make("input", "", { value: header, maxLength: 500 });
     box.setAttribute("aria-label", say("list_heading", { heading: header }));
     // another heading is read anew: what the one before meant is forgotten
-    box.addEventListener("input", () => Object.assign(column, { header: box.value, meaning: "", unused: false }));
+    box.addEventListener("input", () => Object.assign(column, { header: box.value, meaning: "", unused: false, edited: true }));
     cell.append(box);
     head.append(cell);
   }
@@ -142,17 +138,19 @@ function showList() {
   find("understood").hidden = false;
 }
 
+const STOREY_HEIGHT = 3.2; // m
 const STRUCTURES = ["concrete frame", "steel frame", "braced steel frame", "concrete walls", "masonry", "timber"];
 
 // The building: what a sheet of the workbook says of it, until somebody chooses.
 function showBuilding() {
   const { building, floors } = view.list;
-  if (building && !view.list.builtAs) {
-    find("structure").value = building.structure;
-    find("storeys").value = building.storeys;
+  if (!view.list.builtAs) {
+    find("structure").value = building?.structure ?? "";
+    find("storeys").value = building?.storeys ?? 3;
+    find("storey-height").value = written(building?.storey_height_m ?? STOREY_HEIGHT);
     view.list.builtAs = true;
   }
-  find("storeys").disabled = !find("structure").value;
+  for (const id of ["storeys", "storey-height"]) find(id).disabled = !find("structure").value;
   find("floors-unused").hidden = !floors || Boolean(find("structure").value);
 }
 
@@ -165,9 +163,36 @@ function nameStructures() {
   find("structure").value = chosen;
 }
 
+// The levels of the ground's shaking, named by how seldom the curve of a site says they come.
+function showLevels() {
+  const { level } = view, menu = find("level");
+  menu.replaceChildren(new Option(say("list_as_recorded"), ""), ...(view.site?.levels ?? []).map((each, k) => new Option(
+    say("list_level", { years: number(each.years, 4), level: each.in_words, site: view.site.name }), String(k),
+  )));
+  menu.value = level ?? "";
+}
+
+async function takeHazard(file) {
+  if (!file) return;
+  try {
+    const { levels } = await readHazard(file, (wait) => tell("busy", { wait }));
+    Object.assign(view, { site: { name: file.name, levels }, level: "1" });
+    showLevels();
+    tell("list_level_read");
+  } catch (error) {
+    fail(error);
+  }
+}
+
+function level() {
+  const chosen = view.site?.levels[find("level").value];
+  return chosen ? { measure: chosen.measure, value: chosen.value, said: find("level").selectedOptions[0].text } : null;
+}
+
 function building() {
   const structure = find("structure").value;
-  return structure ? { structure, storeys: Number(find("storeys").value) } : null;
+  if (!structure) return null;
+  return { structure, storeys: Number(find("storeys").value), storey_height_m: numberIn(find("storey-height").value) };
 }
 
 // The list as it stands in the page, for the server.
@@ -175,7 +200,13 @@ function csv() {
   const quoted = (text) => `"${String(text ?? "").replaceAll('"', '""')}"`;
   const { columns, rows, separator } = view.list;
   const line = (cells) => cells.map(quoted).join(separator);
-  return `${[line(columns.map((each) => each.header)), ...rows.map(line)].join("\n")}\n`;
+  return `${[line(columns.map(headingOf)), ...rows.map(line)].join("\n")}\n`;
+}
+
+// A heading that was corrected keeps the unit that stood elsewhere, unless it says one itself.
+function headingOf({ header, edited, unit }) {
+  const says = /[)\]]\s*$|[_\s](m|cm|mm|in|ft|kg|g|t|lb|lbs|n|kn)$/i.test(header.trim());
+  return edited && unit && header.trim() && !says ? `${header} (${unit})` : header;
 }
 
 async function run() {
@@ -194,7 +225,7 @@ async function run() {
     const name = `${view.name.replace(/\.[^.]*$/, "").slice(0, 100)}.csv`;
     const { id } = await begin({
       name, text, columns, suite: SUITE, planar: find("planar").checked, accept_sizes: find("sizes").checked,
-      catalogue: find("catalogue").checked, building: building(),
+      catalogue: find("catalogue").checked, building: building(), level: level(),
     });
     if (mine === asked) follow(id);
     else stop(id).catch(() => {});
@@ -230,6 +261,7 @@ function follow(id) {
       view.found = found;
       tell("list_done");
       showFound();
+      find("found").scrollIntoView();
     } catch (error) {
       fail(error);
     }
@@ -246,79 +278,13 @@ function showFound() {
   find("report").href = `api/assess/${view.job}/${lang === "en" ? "report.html" : `report.${lang}.html`}`;
   find("remarks").href = `api/assess/${view.job}/${say("list_remarks_file")}`;
   find("csv").href = `api/assess/${view.job}/results.csv`;
-  const risks = [...new Set(objects.map((each) => each.risk))];
-  find("filter").replaceChildren(new Option(say("list_all"), ""), ...risks.map((risk) => new Option(riskOf(risk), risk)));
-  showCards();
-}
-
-const riskOf = (risk) => say(`risk_${risk.replaceAll(" ", "_")}`);
-
-function showCards() {
-  const by = find("sort").value, only = find("filter").value;
-  const shown = view.found.objects.filter((each) => !only || each.risk === only);
-  if (by === "share") shown.sort((a, b) => b.share - a.share);
-  if (by === "name") shown.sort((a, b) => a.name.localeCompare(b.name));
-  const open = new Set([...document.querySelectorAll(".card[open] strong")].map((each) => each.textContent));
-  find("cards").replaceChildren(...shown.map(card));
-  for (const each of document.querySelectorAll(".card")) each.open = open.has(each.querySelector("strong").textContent);
-}
-
-function card(object) {
-  const made = make("details", "", { className: "card" });
-  made.dataset.risk = object.risk;
-  const top = make("summary");
-  const share = say(`list_${object.counts}`, {
-    share: object.in_100.share, low: object.in_100.low, high: object.in_100.high,
-  });
-  const where = `${number(object.quantity, 6)} × ${object.where}`;
-  top.append(
-    make("strong", object.name), make("span", `${share} · ${object.risk_in_words}`),
-    make("span", `${object.measure} · ${where}`),
-  );
-  made.append(top, ...object.happens.map((each) => make("p", each)));
-  const steps = make("ol");
-  steps.append(...object.advice.map((each) => make("li", each)));
-  made.append(steps);
-  made.append(object.thing ? shaking(object.thing) : make("p", say("list_no_film"), { className: "small" }));
-  return made;
-}
-
-// What shows the object under its worst shaking, and opens it as one thing.
-function shaking(thing) {
-  const buttons = make("p", "", { className: "buttons" });
-  const show = make("button", say("list_play"), { type: "button", className: "second" });
-  const verdict = make("p", "", { role: "status" });
-  const place = make("div", "", { className: "film" });
-  show.addEventListener("click", async () => {
-    show.disabled = true;
-    verdict.textContent = say("shaking_now");
-    try {
-      const options = { waits: (wait) => { verdict.textContent = say("busy", { wait }); } };
-      const { worst } = await ask(pathOf(thing, "many"), { thing, suite: SUITE, ...(thing.shape && { curve: false }) }, options);
-      const film = await ask(pathOf(thing, "simulate"), {
-        thing, shaking: { kind: "recording", name: worst.name }, reverse: worst.reverse,
-      }, options);
-      verdict.textContent = `${worst.name}: ${sentence(film, metres)}`;
-      shown?.close();
-      shown = new Player(place, metres);
-      shown.show(film, thing);
-    } catch (error) {
-      verdict.textContent = say(...failure(error));
-    } finally {
-      show.disabled = false;
-    }
-  });
-  const { friction, ...rest } = thing;
-  const known = Object.entries({ ...rest, slides: friction === null ? 0 : 1 }).filter(([, value]) => value !== null);
-  buttons.append(show, make("a", say("list_shake"), { href: `.#${new URLSearchParams(known)}` }));
-  const all = make("div");
-  all.append(buttons, make("p", say("list_squarely"), { className: "small" }), verdict, place);
-  return all;
+  cards.show(objects);
 }
 
 async function dress(wanted) {
   find("language").value = await speak(wanted, "list_title");
   nameStructures();
+  showLevels();
   await retell();
 }
 
@@ -357,12 +323,13 @@ find("empty").addEventListener("click", () => {
 });
 find("again").addEventListener("click", again);
 find("structure").addEventListener("change", showBuilding);
+find("level").addEventListener("change", () => { view.level = find("level").value; });
+find("hazard").addEventListener("change", () => takeHazard(find("hazard").files[0]));
 for (const id of ["sizes", "catalogue"]) find(id).addEventListener("change", () => { if (view.list?.columns.length) again(); });
 find("run").addEventListener("click", run);
 find("stop").addEventListener("click", () => stop(view.job).catch(fail));
 addEventListener("hashchange", () => location.reload()); // the address of another result
-find("sort").addEventListener("change", showCards);
-find("filter").addEventListener("change", showCards);
+for (const id of ["sort", "filter"]) find(id).addEventListener("change", () => cards.arrange());
 find("language").addEventListener("change", () => { prefer(find("language").value); dress(find("language").value); });
 let folded = []; // cards that are opened for the printer
 addEventListener("beforeprint", () => {

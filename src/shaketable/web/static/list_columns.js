@@ -21,7 +21,7 @@ export function saidOf(columns) {
 // Shows the columns of a list; `changed` is called where one of them is to mean something else.
 export function showColumns(list, file, changed) {
   const { columns, rows, meanings, sheets, sheet } = list;
-  const said = `${sheets.length > 1 ? `sheet = ${JSON.stringify(sheet)}\n\n` : ""}${saidOf(columns)}`;
+  const said = `${sheets.length > 1 ? `sheet = ${JSON.stringify(sheet)}\n\n` : ""}${saidOf(columns.filter((each) => !each.renamed))}`;
   const named = columns.map((column, k) => ({ column, k })).filter(({ column }) => column.header);
   const unused = named.filter(({ column }) => !isUsed(column)).map(({ column }) => column.header);
   const counted = { used: named.length - unused.length, of: named.length, names: unused.join(", ") };
@@ -52,9 +52,9 @@ function menuOf(column, { columns, meanings }, changed) {
   menu.value = column.meaning;
   menu.addEventListener("change", () => {
     const units = unitsOf(meanings, menu.value);
-    // its own unit, that of the other columns, or the first
-    const all = [column, ...columns.filter(isUsed)].map((each) => each.unit);
-    const unit = all.find((each) => units.includes(each)) ?? units[0] ?? "";
+    // its own unit, which must be known; else that of the other columns, or the first
+    const all = column.unit ? [column.unit] : columns.filter(isUsed).map((each) => each.unit);
+    const unit = all.find((each) => units.includes(each)) ?? (column.unit ? "" : units[0] ?? "");
     Object.assign(column, { meaning: menu.value, unit, unused: menu.value === "" });
     changed();
   });
@@ -63,6 +63,7 @@ function menuOf(column, { columns, meanings }, changed) {
   if (units.length) {
     const unit = make("select");
     unit.setAttribute("aria-label", say("list_unit", { heading: column.header }));
+    if (!column.unit) unit.append(new Option("?", ""));
     unit.append(...units.map((each) => new Option(each, each)));
     unit.value = column.unit;
     unit.addEventListener("change", () => { column.unit = unit.value; changed(); });
