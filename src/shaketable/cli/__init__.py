@@ -15,6 +15,7 @@ import typer
 from shaketable.cli.console import Printable, say
 from shaketable.cli.examples import epilog
 from shaketable.cli.lazy import LazyGroup
+from shaketable.cli.spelling import as_options
 from shaketable.errors import InputError, SimulationError
 from shaketable.extras import missing, remedy
 from shaketable.inputs import require_readable
@@ -134,6 +135,6 @@ def _full_stream() -> str | None:
 
 
 def _fail(message: str, code: int) -> None:
-    for line in message.splitlines():
+    for line in as_options(message).splitlines():
         say(f"error: {line}", err=True)
     sys.exit(code)
