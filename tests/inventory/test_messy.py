@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import io
 import logging
+import re
 from pathlib import Path
 
 import pytest
+from rich.console import Console
 
 from shaketable import InputError
-from shaketable.inventory import Item, read_inventory
+from shaketable.inventory import Item, read_inventory, read_with_columns
+from shaketable.report.terminal import print_columns
 from tests.inventory.messy import MESSY, Messy
 
 
@@ -90,3 +94,17 @@ def test_a_mapping_that_cannot_be_read_is_refused(tmp_path: Path, text: str, sai
     (tmp_path / "columns.toml").write_text(text)
     with pytest.raises(InputError, match=said):
         read_inventory(tmp_path / "list.csv", columns=tmp_path / "columns.toml")
+
+
+def test_what_columns_were_taken_for_is_shown_with_cells(tmp_path: Path) -> None:
+    """Three of each, shortened, so that a wrong one is seen at once."""
+    path = tmp_path / "list.csv"
+    rows = "".join(f"shelf {k},0.3{k},1.8,a very long remark\n" for k in range(5))
+    path.write_text(f"name,depth_m,height_m,Acme\n{rows}")
+    shown = io.StringIO()
+    print_columns(path, read_with_columns(path), Console(file=shown, width=80))
+    lines = {line.split()[0]: line for line in shown.getvalue().splitlines()}
+    told = re.split(r"\s{2,}", lines["depth_m"].strip())
+    assert told[-1].endswith("0.30 · 0.31 · 0.32")
+    assert "not used" in lines["Acme"]
+    assert "a very long …" in lines["Acme"]

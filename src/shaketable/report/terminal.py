@@ -52,19 +52,29 @@ def _table() -> Table:
     return Table(box=SIMPLE_HEAD, pad_edge=False, show_edge=False, padding=0)
 
 
+SAMPLES = 3  # cells of a column that are shown
+SHORT = 12  # characters of each
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= SHORT else f"{text[:SHORT]}…"
+
+
 def print_columns(path: Path, inventory: Inventory, console: Console) -> None:
     """Print how the columns of an inventory were understood."""
     view = _table()
     view.add_column("column", overflow="fold")
     view.add_column("read as", overflow="fold")
-    for header, column in inventory.columns:
+    view.add_column("cells", overflow="fold")
+    for k, (header, column) in enumerate(inventory.columns):
         if not header:
             continue
+        cells = [_short(row[k]) for row in inventory.rows if row[k : k + 1] and row[k]]
         meaning = column.meaning.replace("_", " ") if column else "not used"
         unit = ""
         if column and column.unit:
             unit = f" in {column.unit}{'' if column.stated else ', as no unit is given'}"
-        view.add_row(plain(header), f"{meaning}{unit}")
+        view.add_row(plain(header), f"{meaning}{unit}", plain(" · ".join(cells[:SAMPLES])))
     objects = f"{len(inventory.items)} kind{'' if len(inventory.items) == 1 else 's'} of object"
     console.print(f"{plain(str(path))}: {objects}, {inventory.kind}", highlight=False)
     console.print(view)
