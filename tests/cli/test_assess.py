@@ -297,6 +297,6 @@ def test_examples_in_help_have_known_options() -> None:
     for examples in EXAMPLES.values():
         for example in examples:
             words = example.split()
-            told = shaketable(words[1], "-h").stdout if words[1] != "help" else "--"
+            told = shaketable(*words[1:2], "-h").stdout if words[1:2] != ["help"] else "--"
             for option in re.findall(r"--[a-z-]+", example):
                 assert option in told, (example, option)
