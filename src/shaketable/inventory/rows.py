@@ -118,7 +118,8 @@ def item_of(
     headers = {column.meaning: column.cell.text for column in columns if column}
     shape = SHAPES.get(plain(text.get("shape", "")))
     filled = {meaning for meaning, (cell, _) in cells.items() if cell.text or cell.wrong}
-    usual = taken_sizes(text.get("name", ""), numbers, shape, filled)
+    left_out = catalogue or "height" not in filled or not filled & {*BASES}
+    usual = taken_sizes(text.get("name", ""), numbers, shape, filled) if left_out else None
     taken = usual if catalogue else None
     if taken:
         numbers, shape = taken.numbers, taken.shape

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from importlib import resources
 
 from shaketable.inventory.item import BaseShape
@@ -21,6 +21,7 @@ LANGUAGES = ("en", "es", "de", "it", "ja")
 #: Endings of plurals, which a word in a list may have and the catalogue's need not.
 _PLURALS = {
     "en": ("", "s", "es"), "es": ("", "s", "es"), "de": ("", "e", "n", "en", "er"), "it": ("",),
+    "ja": ("",),
 }  # fmt: skip
 _COMPOUND = 5  # letters: shorter words end others by chance
 _MORE = re.compile(r"(?<=\D)(?=\d)|[(\[,;/]")  # what comes then says which one it is
@@ -97,6 +98,7 @@ def _range(text: str, unit: float = 1.0) -> Range:
     return Range(round(float(least) * unit, 6), round(float(most) * unit, 6))
 
 
+@lru_cache(maxsize=10_000)
 def common_thing(name: str) -> CommonThing | None:
     """The thing of the catalogue that a name is, None if none.
 
@@ -106,27 +108,23 @@ def common_thing(name: str) -> CommonThing | None:
     brackets or after a comma do not count. What is for, with or on another thing is none.
     """
     told = heading(name)
-    exact = _words().get(told)
+    exact = [forms[told] for forms in _forms().values() if told in forms]
     if exact:
-        return catalogue()[exact]
+        return catalogue()[exact[0]]
     told = heading(_MORE.split(told)[0])
     if not told or _JOINS.search(told):
         return None
-    found = [
-        (len(word), key)
-        for language, words in _by_language().items()
-        for word, key in words.items()
-        if _is_one(told, word, language)
-    ]
+    found = [one for language in LANGUAGES for one in _parts(told, language)]
     return catalogue()[max(found)[1]] if found else None
 
 
 @cache
-def _by_language() -> Mapping[str, Mapping[str, str]]:
-    """Keys of things by their words, of each language."""
+def _forms() -> Mapping[str, Mapping[str, str]]:
+    """Keys of things by their words, of each language, singular and plural."""
     return {
         language: {
-            heading(word): thing.key
+            f"{heading(word)}{ending}": thing.key
+            for ending in reversed(_PLURALS[language])  # a word itself comes before a plural
             for thing in catalogue().values()
             for word in thing.names[language]
         }
@@ -134,20 +132,34 @@ def _by_language() -> Mapping[str, Mapping[str, str]]:
     }
 
 
-@cache
-def _words() -> Mapping[str, str]:
-    """The same of all languages."""
-    return {word: key for words in _by_language().values() for word, key in words.items()}
-
-
-def _is_one(told: str, word: str, language: str) -> bool:
+def _parts(told: str, language: str) -> Iterator[tuple[int, str]]:
+    """Words that a name begins or ends with: how long they are, and of what thing."""
+    forms = _forms()[language]
+    words = told.split()
+    if language in ("en", "de"):
+        ends = (" ".join(words[k:]) for k in range(len(words)))
+        yield from ((len(each), forms[each]) for each in ends if each in forms)
+    if language in ("de", "es", "it"):
+        begins = (" ".join(words[: k + 1]) for k in range(len(words)))
+        least = _COMPOUND if language == "de" else 1
+        yield from (
+            (len(each), forms[each]) for each in begins if each in forms and len(each) >= least
+        )
     if language == "ja":
-        return told.endswith(word) or re.fullmatch(f"{re.escape(word)}[a-z]?", told) is not None
-    endings = "|".join(_PLURALS[language])
-    one = f"{re.escape(word)}(?:{endings})"
-    before = language in ("en", "de") and re.search(rf"(^|\s){one}$", told)
-    first = language in ("es", "it") or (language == "de" and len(word) >= _COMPOUND)
-    after = first and re.match(rf"{one}(\s|$)", told)
-    ends = len(word) >= _COMPOUND and re.search(rf"{re.escape(word)}n?$", told)
-    compound = language == "de" and ends
-    return bool(before or after or compound)
+        bare = told.rstrip("abcdefghijklmnopqrstuvwxyz")
+        yield from ((len(word), key) for word, key in forms.items() if bare.endswith(word))
+    if language == "de":
+        both = (told, told.removesuffix("n"))
+        yield from (
+            (len(word), key)
+            for word, key in _ends_of_compounds().items()
+            if any(each.endswith(word) for each in both)
+        )
+
+
+@cache
+def _ends_of_compounds() -> Mapping[str, str]:
+    """Keys of things by the German words that may end a longer one."""
+    things = catalogue().values()
+    words = ((heading(word), each.key) for each in things for word in each.names["de"])
+    return {word: key for word, key in words if len(word) >= _COMPOUND}
