@@ -275,4 +275,4 @@ def test_a_strap_without_a_mass_or_in_the_rocking_model(record: Path) -> None:
     strap = ("--strap", "top:stiffness=20kN/m", "--record", record)
     assert "need a mass; give --mass-kg" in refused("simulate", *SIZE, "--depth-m", 0.5, *strap)
     heavy = (*SIZE, "--mass-kg", 50, *strap)
-    assert "General(...), takes walls, straps" in refused("simulate", *heavy)
+    assert "--model general, takes walls, straps" in refused("simulate", *heavy)

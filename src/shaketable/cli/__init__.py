@@ -15,7 +15,6 @@ import typer
 from shaketable.cli.console import Printable, say
 from shaketable.cli.examples import epilog
 from shaketable.cli.lazy import LazyGroup
-from shaketable.cli.spelling import as_options
 from shaketable.errors import InputError, SimulationError
 from shaketable.extras import missing, remedy
 from shaketable.inputs import require_readable
@@ -135,6 +134,8 @@ def _full_stream() -> str | None:
 
 
 def _fail(message: str, code: int) -> None:
+    from shaketable.cli.spelling import as_options
+
     for line in as_options(message).splitlines():
         say(f"error: {line}", err=True)
     sys.exit(code)
