@@ -325,6 +325,8 @@ def test_a_list_is_shaken_as_strongly_as_its_site(client: httpx.Client) -> None:
         objects = client.get(f"/api/assess/{job}").json()["objects"]
         falls[level] = next(each["share"] for each in objects if each["name"] == "shelf")
     assert falls[0] < falls[1]
+    report = client.get(f"/api/assess/{job}/report.html").text
+    assert "once in some years. Each recording is scaled to that level" in report
     motions = [m.scaled(0.475 * 9.80665 / m.peak_ground_acceleration) for m in suite(near)]
     by_hand = simulate_many(
         [Body.rectangle(0.32, 1.8)], motions, model=Rocking(), progress=False

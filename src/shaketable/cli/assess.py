@@ -243,6 +243,11 @@ def assess(
         )
         yearly = None
         if hazard is not None:
+            if house is not None and house.variants:
+                log.warning(
+                    "yearly rates are for the typical period of the building alone: in one of "
+                    "another period objects may fall more often"
+                )
             yearly = object_rates(
                 table.items, house or (shaking.in_components().motions if shaking else []), of_site,
                 tilt=radians(tilt_deg), model=contact, progress=True,

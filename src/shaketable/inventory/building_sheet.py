@@ -16,7 +16,7 @@ from shaketable.tables import Cell, Sheet, read_sheet, with_a_point
 log = logging.getLogger(__name__)
 
 MOST_NAMED = 5
-#: What a building's file calls what the sheet says, and whether it is a number.
+#: What a building's file calls what the sheet says.
 KEYS = {
     "name": "name",
     "storeys": "storeys",
@@ -44,7 +44,6 @@ def building_said(objects: Sheet) -> Mapping[str, object] | None:
     title = next((each for each in objects.sheets if heading(each) in titles("building")), None)
     if title is None or title == objects.name:
         return None
-    others = {each.strip().lower() for each in objects.sheets}
     others = {each.strip().lower() for each in objects.sheets}
     sheet = read_sheet(
         objects.path, title, lambda _: False, sheet=title, strict=False, known=others

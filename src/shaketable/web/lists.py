@@ -146,12 +146,13 @@ def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
 
 
 def _by(count: int, asked: Assess) -> str:
-    """By what a list is shaken."""
-    return f"{count} {'motions' if asked.planar else 'recordings'} of {asked.suite}"
+    """By what a list is shaken, and how strongly where that is not as recorded."""
+    told = f"{count} {'motions' if asked.planar else 'recordings'} of {asked.suite}"
+    return f"{told}; {asked.level.told()}" if asked.level else told
 
 
 def _command(asked: Assess) -> list[str]:
-    """The command that finds the same."""
+    """The command that finds the same, but for the building and the level of the site."""
     scale = [] if asked.scale == 1.0 else ["--scale", f"{asked.scale:g}"]
     planar = ["--planar"] if asked.planar else []
     sizes = ["--accept-sizes"] if asked.accept_sizes else []

@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, FailFast, Field, field_validator, model_validator
 
-from shaketable.building.typical import STOREY_HEIGHT
+from shaketable.building.typical import STOREY_HEIGHT, STRUCTURES
 from shaketable.records import SUITES
 from shaketable.records.plausible import LOUDEST
 from shaketable.records.text import STEPS
@@ -221,6 +221,7 @@ OF_CATALOGUE = "take sizes that are left out from the catalogue of common things
 StructureWord = Literal[
     "concrete frame", "steel frame", "braced steel frame", "concrete walls", "masonry", "timber"
 ]
+assert set(StructureWord.__args__) == set(STRUCTURES)  # type: ignore[attr-defined]
 
 
 class OfBuilding(Question):

@@ -1,8 +1,8 @@
 """Common things with the sizes that they usually have, for lists that leave sizes out.
 
-`things.csv` is the data: a row a thing, with ranges, names in each language, and what the ranges
-rest on. All are assumed, from what such things commonly measure: no published table was read for
-them. A thing is added as a row; no code is needed.
+`things.csv` is the data: a row a thing, with ranges, and names in each language. All ranges are
+assumed, from what such things commonly measure: no published table was read for them. A thing is
+added as a row; no code is needed.
 """
 
 from __future__ import annotations
