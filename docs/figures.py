@@ -59,16 +59,17 @@ from shaketable.tilting import design_tilt
 from shaketable_studies.boroschek_iruretagoyena_2006.printed import TABLE_1
 
 DOCS = Path(__file__).parent
+PICTURES = DOCS / "pictures"
 SUITE = "fema-p695-far-field"
 SHELF = Body.rectangle(0.32, 1.80, name="Bookcase 1.80 m")
 
 
 def save(ax: Axes, name: str, dpi: int) -> None:
-    ax.get_figure(root=True).savefig(DOCS / f"{name}.png", dpi=dpi)
+    ax.get_figure(root=True).savefig(PICTURES / f"{name}.png", dpi=dpi)
 
 
 def theory() -> None:
-    theory_figure.draw().savefig(DOCS / "theory.png", dpi=110)
+    theory_figure.draw().savefig(PICTURES / "theory.png", dpi=110)
 
 
 def runs() -> None:
@@ -109,7 +110,7 @@ def building() -> None:
     placed = [replace(item, floor=label) for label in house.floors for item in items]
     found = assess(placed, house, scale=0.6)
     picture = building_picture(house.name, list(house.floors), found)
-    picture.savefig(DOCS / "building.png", dpi=90)
+    picture.savefig(PICTURES / "building.png", dpi=90)
 
 
 def studies() -> None:
@@ -146,7 +147,7 @@ def studies() -> None:
         given = StudyInput(motions=every, description="FEMA P-695", options=options)
         drawn = dict(study.figures(study.do(given)))
         for figure, picture in pictures.items():
-            drawn[figure].savefig(DOCS / f"{picture}.png", dpi=dpi)
+            drawn[figure].savefig(PICTURES / f"{picture}.png", dpi=dpi)
 
 
 def falls() -> None:

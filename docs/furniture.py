@@ -1,4 +1,4 @@
-"""Common furniture by the static criterion, and by simulation: the table of docs/rooms.md.
+"""Common furniture by the static criterion, and by simulation: the table of docs/how_to/rooms.md.
 
 python docs/furniture.py
 

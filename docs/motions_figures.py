@@ -1,4 +1,4 @@
-"""Draws the pictures of motions.md: python docs/motions_figures.py [RECORDS]
+"""Draws the pictures of docs/how_to/motions.md: python docs/motions_figures.py [RECORDS]
 
 RECORDS is a folder with the records of the Imperial County Services Building, 1979
 (imperial_county_services_1979/chan_4_accel/chan_4_accel.txt ...); without it floors.png stays as
@@ -29,6 +29,7 @@ from shaketable.synthesis import (
 )
 
 DOCS = Path(__file__).parent
+PICTURES = DOCS / "pictures"
 G, OURS, THEIRS = 9.80665, "#c0392b", "#2a6fae"
 
 
@@ -57,7 +58,7 @@ def compatible() -> None:
     right.text(23.8, 3.25, "0.5 g", ha="right", va="center", fontsize="small")
     right.set_xlabel("time [s]")
     right.set_xlim(0.0, 25.0)
-    figure.savefig(DOCS / "compatible.png", dpi=110)
+    figure.savefig(PICTURES / "compatible.png", dpi=110)
 
 
 def baseline() -> None:
@@ -91,7 +92,7 @@ def baseline() -> None:
     below.set_ylim(-60, 160)
     below.set_xlim(0.0, t[-1])
     above.legend(fontsize="small", loc="upper right")
-    figure.savefig(DOCS / "baseline.png", dpi=110)
+    figure.savefig(PICTURES / "baseline.png", dpi=110)
 
 
 def floors(records: Path) -> None:
@@ -134,7 +135,7 @@ def floors(records: Path) -> None:
     axes[0, 0].legend(fontsize="small", loc="upper right")
     axes[1, 0].set_xlabel("time [s]")
     axes[0, 1].set_xlabel("")
-    figure.savefig(DOCS / "floors.png", dpi=110)
+    figure.savefig(PICTURES / "floors.png", dpi=110)
 
 
 def channel(records: Path, number: int) -> Motion:

@@ -1,4 +1,4 @@
-"""docs/python.md: the public interface on one page, with an example of each name."""
+"""docs/reference/python.md: the public interface on one page, with an example of each name."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 
 import shaketable
 
-PAGE = Path(__file__).parents[1] / "docs" / "python.md"
+PAGE = Path(__file__).parents[1] / "docs" / "reference" / "python.md"
 
 
 def test_every_public_name_has_its_room_and_an_example() -> None:

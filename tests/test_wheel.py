@@ -17,7 +17,7 @@ from shaketable.compiled.caches import fits_here
 from shaketable.extras import EXTRAS
 
 ROOT = Path(__file__).parents[1]
-MOST_MEGABYTES = 720  # of the environment, as docs/installing.md has it
+MOST_MEGABYTES = 720  # of the environment, as docs/how_to/installing.md has it
 MOST_PACKAGES = 45
 
 

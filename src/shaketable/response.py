@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 class Response(ABC):
     """One body under one motion: a `PlanarResponse`, or the `SolidResponse` of a solid.
 
-    Results have the names and meanings of `simulate_many` (docs/results.md). Histories are given at
+    Results have the names and meanings of `simulate_many` (docs/reference/results.md). Histories are given at
     the motion's samples. They go on after its end, under gravity alone and at steps of their own
     (see `time`), until the body rests or has fallen.
 

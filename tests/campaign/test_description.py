@@ -178,7 +178,7 @@ def test_the_examples_are_read() -> None:
 
 
 def test_the_page_shows_the_example() -> None:
-    page = (EXAMPLES.parent / "docs" / "campaigns.md").read_text(encoding="utf-8")
+    page = (EXAMPLES.parent / "docs" / "how_to" / "campaigns.md").read_text(encoding="utf-8")
     example = (EXAMPLES / "campaign-inventory.toml").read_text(encoding="utf-8")
     assert example[example.index("[bodies]") :] in page
 

@@ -134,7 +134,7 @@ def test_mistakes(folder: Path, given: tuple[str, ...], says: str) -> None:
 
 @pytest.mark.slow
 def test_the_example(tmp_path: Path) -> None:
-    """The hospital of three buildings, by the commands of docs/hazard.md."""
+    """The hospital of three buildings, by the commands of docs/how_to/hazard.md."""
     run = shaketable(
         "scenario", EXAMPLES / "campus.csv", "--shakemap", GRID,
         "--building", EXAMPLES / "campus-wards.toml",

@@ -47,7 +47,8 @@ QUESTION = {
     "shaking": {"kind": "pulse", "period_s": 1.5, "peak_g": 0.6},
 }
 GONE_WITHIN = 15.0  # s after which no process of a killed command lives
-LONGEST = 600.0  # s for a run that nobody disturbs: it may compile
+LONGEST = 300.0  # s for a run that nobody disturbs: all is compiled, and it takes 5 s
+STACKS = 20_000  # characters of the stacks of a run that hangs
 
 
 class Command(NamedTuple):
@@ -135,7 +136,12 @@ def _begin(words: str, folder: Path) -> subprocess.Popen[bytes]:
     """In a session of its own, by which all its processes are found."""
     with (folder / "said").open("wb") as said:
         return subprocess.Popen(
-            [*MAIN, *words.split()], cwd=folder, stdout=said, stderr=said, start_new_session=True
+            [*MAIN, *words.split()],
+            cwd=folder,
+            env=os.environ | {"PYTHONFAULTHANDLER": "1"},
+            stdout=said,
+            stderr=said,
+            start_new_session=True,
         )
 
 
@@ -147,7 +153,15 @@ def _words(command: Command, folder: Path, place: str) -> str:
 def _run(command: Command, folder: Path, place: str) -> None:
     """To its end."""
     process = _begin(_words(command, folder, place), folder)
-    code = process.wait(LONGEST)
+    try:
+        code = process.wait(LONGEST)
+    except (
+        subprocess.TimeoutExpired
+    ):  # where it hangs: faulthandler prints the stack of each thread
+        for number in _processes(process.pid):
+            os.kill(number, signal.SIGABRT)
+        process.wait()
+        raise AssertionError(f"not done after {LONGEST:.0f} s: {_said(folder, STACKS)}") from None
     assert code == 0, f"exit {code}: {_said(folder)}"
 
 
@@ -165,8 +179,8 @@ def _kill(command: Command, folder: Path, after: float) -> bool:
     return True
 
 
-def _said(folder: Path) -> str:
-    return (folder / "said").read_text(errors="replace")[-800:]
+def _said(folder: Path, most: int = 800) -> str:
+    return (folder / "said").read_text(errors="replace")[-most:]
 
 
 def _require_gone(session: int) -> None:

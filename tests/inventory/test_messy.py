@@ -47,7 +47,11 @@ def test_there_are_twenty_in_five_languages() -> None:
     assert len({messy.name for messy in MESSY}) >= 20
     at_once = [messy for messy in MESSY if not messy.asked]
     answered = [messy for messy in MESSY if messy.asked and (messy.answers or messy.sheet)]
-    assert (len(at_once), len(answered), len(MESSY)) == (16, 2, 20)  # as docs/assessing.md tells
+    assert (len(at_once), len(answered), len(MESSY)) == (
+        16,
+        2,
+        20,
+    )  # as docs/how_to/assessing.md tells
 
 
 def test_a_file_beside_the_list_says_what_columns_mean(

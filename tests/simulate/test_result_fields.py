@@ -43,7 +43,9 @@ def test_a_response_has_the_same_names_and_numbers(of: str) -> None:
 
 
 def test_the_documentation_has_the_same_table() -> None:
-    page = (Path(__file__).parents[2] / "docs" / "results.md").read_text(encoding="utf-8")
+    page = (Path(__file__).parents[2] / "docs" / "reference" / "results.md").read_text(
+        encoding="utf-8"
+    )
     rows = [line.split("|")[1:-1] for line in page.splitlines() if line.startswith("| `")]
     told = {row[0].strip(" `"): [cell.strip() for cell in row[1:]] for row in rows}
     assert told == {

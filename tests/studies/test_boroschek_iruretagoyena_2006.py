@@ -187,7 +187,7 @@ def test_specimens_have_their_measured_centres(study: Study) -> None:
 def test_claims_are_judged(study: Study) -> None:
     table = study.tables["claims"].set_index("claim")
     assert list(table.columns) == ["paper_says", "we_find", "holds", "records"]
-    # as docs/tilting.md tells
+    # as docs/how_to/tilting.md tells
     assert dict(table["holds"]) == {
         "bigger bodies of one shape are easier to control": "yes",
         "both models agree": "by construction",

@@ -4,7 +4,7 @@ A spectrum is drawn for each motion from the ground-motion models, correlated in
 significant duration, evenly over what they may be, so that few motions stand for many. Waves of
 random phases under a trapezoid are brought near to that spectrum; a few wavelets follow where they
 help. Spectra that are drawn are rough, and some of them no motion can have: each motion is near to
-its own, not on it. What ensembles of these motions have is in docs/hazard.md.
+its own, not on it. What ensembles of these motions have is in docs/how_to/hazard.md.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What simulations tell: one table of their fields, and the arrays that hold them.
 
 Datasets of `simulate_many` and `simulate_each`, stores of campaigns and the table of
-docs/results.md follow from FIELDS.
+docs/reference/results.md follow from FIELDS.
 """
 
 from __future__ import annotations
