@@ -7,6 +7,7 @@
 # make app      a folder that runs without Python, for this platform
 # make interop  exported files read by OpenQuake and pelicun
 # make test-web the page in headless Chromium
+# make docs     the site, in docs/_build/html; DOCS_RUN=0: without running its examples
 # make fuzz     COUNT (20,000) damaged files of every kind, and each command killed KILLS (3) times
 
 PYTHON ?= python3
@@ -25,7 +26,7 @@ PART ?= $$(date +%j)/40
 # bytecode is kept, even where the environment says otherwise: a process compiles it for up to 4 s
 export PYTHONDONTWRITEBYTECODE :=
 
-.PHONY: assess fuzz test test-slow test-part test-web lint format bench interop wheel app lock clean
+.PHONY: assess docs fuzz test test-slow test-part test-web lint format bench interop wheel app lock clean
 
 assess: $(VENV)/installed
 	$(BIN)/shaketable assess $(ARGS) --out $(OUT) --overwrite
@@ -74,6 +75,11 @@ interop: $(VENV)/installed
 app: $(VENV)/installed
 	$(BIN)/python -m scripts.build_app
 
+# the environment keeps its pinned versions; the tools of the site come beside them
+docs: $(VENV)/installed requirements-docs.lock
+	$(BIN)/python -m pip install --quiet --no-compile --require-hashes -r requirements-docs.lock
+	$(BIN)/python -m sphinx -q -W --keep-going -b html docs docs/_build/html
+
 wheel: $(VENV)/installed
 	$(BIN)/python -m scripts.compile_wheel
 
@@ -91,6 +97,7 @@ lock: $(VENV)/installed
 	$(BIN)/python -m pip install --quiet uv
 	$(LOCKING) --extra test --extra lint --extra cluster --extra scenario --extra parquet --output-file $(LOCK) pyproject.toml requirements-build.in
 	$(LOCKING) --extra bench --constraints $(LOCK) --output-file requirements-bench.lock pyproject.toml
+	$(LOCKING) --extra docs --constraints $(LOCK) --output-file requirements-docs.lock pyproject.toml
 
 clean:
-	rm -rf $(VENV) out dist build .pytest_cache .ruff_cache .mypy_cache .hypothesis
+	rm -rf $(VENV) out dist build docs/_build docs/gallery_of_examples docs/reference/api docs/reference/commands .pytest_cache .ruff_cache .mypy_cache .hypothesis

@@ -264,8 +264,8 @@ class Solid:
         Args:
             diameter, height: full sizes [m].
             cg_height: h [m]; half the height if not given.
-            rolling_friction, contour_friction, drilling_friction, inner_ring, high_points, rise,
-                name, mass: as for any solid.
+            rolling_friction, contour_friction, drilling_friction: as for any solid [m].
+            inner_ring, high_points, rise, name, mass: as for any solid.
 
         Raises:
             InputError: as for any solid.

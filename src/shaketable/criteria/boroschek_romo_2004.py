@@ -8,7 +8,7 @@ width, at most 0.5.
 - ν unknown, but at least 0.3: Ishiyama's velocity with the whole width and a factor of 0.2 instead
   of 0.4 (the text says "eccentricity of less than 0.3 B", and means no nearer to a corner).
 
-With γ = h/(ν_S B), κ = i²/(ν_S B)² and A = |a_x|/(g + a_y), for rocking about the corner at ν_S B:
+With γ = h/(ν_S B), κ = i²/(ν_S B)² and A = |a_x|/(g + a_y), for rocking about the corner at ν_S B::
 
     μ >= (A κ + A + γ)/(κ + A γ + γ²)    keeps it from slipping as it lifts     (eq. 25)
     μ >= 1/γ                             as it just begins to rock, A = 1/γ     (eq. 26)
