@@ -24,7 +24,7 @@ RUN = os.environ.get("DOCS_RUN", "1") == "1"
 
 project = "shaketable"
 author = "The shaketable developers"
-copyright = "2026, the shaketable developers"
+copyright = "2026, the shaketable developers"  # noqa: A001
 version = release = shaketable.__version__
 language = "en"
 
@@ -87,6 +87,17 @@ sphinx_gallery_conf = {
     "backreferences_dir": "reference/backreferences",
     "doc_module": ("shaketable",),
     "within_subsection_order": "FileNameSortKey",
+    "subsection_order": [
+        f"gallery/{part}"
+        for part in (
+            "one_body",
+            "walls_and_straps",
+            "many_motions",
+            "rooms_and_buildings",
+            "loss_models",
+            "your_own_data",
+        )
+    ],
     "download_all_examples": False,
     "remove_config_comments": True,
     "show_memory": False,

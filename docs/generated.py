@@ -76,8 +76,8 @@ _API = """
 Every public name, with its parameters, units and shapes. The names of the first sections are the
 package's own (``from shaketable import Body``): they are kept, or deprecated for one minor version
 before they go. The names below "More in" are imported from their module and may still change.
-:doc:`/reference/python` shows the main ones at work; quantities are in SI and radians unless the name
-says otherwise (``tilt_deg``).
+:doc:`/reference/python` shows the main ones at work; quantities are in SI and radians unless the
+name says otherwise (``tilt_deg``).
 """
 
 
@@ -139,9 +139,7 @@ def _page(module: str, name: str, group: Group) -> str:
         kind = "autoclass" if isclass(thing) else "autofunction"
         members = "   :members:\n" if isclass(thing) else ""
         body = f".. currentmodule:: {module}\n\n.. {kind}:: {name}\n{members}"
-    beside = ", ".join(
-        f":py:obj:`{each} <{module}.{each}>`" for each in _near(name, group.names)
-    )
+    beside = ", ".join(f":py:obj:`{each} <{module}.{each}>`" for each in _near(name, group.names))
     guides = ", ".join(f":doc:`/{guide}`" for guide in group.guides)
     also = f".. seealso::\n\n   {beside + ' · ' if beside else ''}{guides}\n"
     return f"{title}\n{body}\n{also}\n.. minigallery:: {module}.{name}\n   :add-heading: Examples\n"
@@ -172,8 +170,8 @@ def write_commands(reference: Path) -> None:
         (folder / f"{name}.md").write_text(text)
 
 
-_COMMANDS = """Every command prints its help with `-h` and ends with exit code 0 when it is done, 1 when
-it failed, and 2 when the input has to be mended. Without any command, `shaketable` opens
+_COMMANDS = """Every command prints its help with `-h` and ends with exit code 0 when it is done, 1
+when it failed, and 2 when the input has to be mended. Without any command, `shaketable` opens
 [the page](../../how_to/web.md) in your browser. The pages below hold the text of each help."""
 
 

@@ -1,4 +1,4 @@
-"""The drawing of docs/explanation/theory.md: a body on a tilted support, with every symbol in it."""
+"""The drawing of docs/explanation/theory.md: a body on a tilted support, with every symbol."""
 
 from __future__ import annotations
 

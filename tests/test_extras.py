@@ -19,7 +19,7 @@ from shaketable.extras import EXTRAS, remedy, require
 from shaketable.records.miniseed import read
 
 PROJECT = Path(__file__).parents[1] / "pyproject.toml"
-FOR_DEVELOPERS = {"test", "lint", "bench"}
+FOR_DEVELOPERS = {"test", "lint", "bench", "docs"}
 
 
 #: What is imported by another name than it is installed by.

@@ -30,7 +30,8 @@ def test_spectra_spread_as_the_models_say(quake: Scenario, motions: list[Motion]
     """Medians within 8 %, standard deviations within 0.1 of 0.6, from 0.1 to 5 s.
 
     Spectra are drawn evenly, so that little is left to chance; what motions depart from their own
-    spectra by is 5 % (docs/how_to/hazard.md). Independent draws would be off by 8 % one time in three.
+    spectra by is 5 % (docs/how_to/hazard.md). Independent draws would be off by 8 % one time in
+    three.
     """
     periods = np.array([0.1, 0.2, 0.5, 1.0, 2.0, 5.0])
     target = target_of(quake, periods)

@@ -157,7 +157,7 @@ def test_a_deep_case_falls_over_its_shorter_side() -> None:
 
 
 def test_round_things_fall_more_often_than_square_ones() -> None:
-    """What rolls on its rim loses nothing at impacts (docs/explanation/solids.md: 1.41 times as often)."""
+    """What rolls on its rim loses nothing at impacts (explanation/solids.md: 1.41 times)."""
     square = FLASK.model_copy(update={"shape": "box"})
     asked = {"suite": "fema-p695-far-field", "scale": 0.5, "curve": False}
     shares = [space.many(ManyInSpace(thing=each, **asked)).share for each in (square, FLASK)]

@@ -2,8 +2,8 @@
 A fragility function for OpenQuake and pelicun
 ==============================================
 
-The probability that a bookcase overturns, over PGV, as a lognormal function with its interval over
-earthquakes, and the files that loss tools read.
+The probability that a bookcase overturns, over PGV, as a lognormal function with its interval
+over earthquakes, and the files that loss tools read.
 """
 
 import tempfile

@@ -2,8 +2,8 @@
 What a magnitude 7 at 20 km does
 ================================
 
-Ground-motion models give the spectrum of an earthquake and its scatter; artificial motions have both.
-(The extra ``scenario`` brings the ground-motion models.)
+Ground-motion models give the spectrum of an earthquake and its scatter; artificial motions have
+both. (The extra ``scenario`` brings the ground-motion models.)
 """
 
 from shaketable import Body, Outcome, simulate_many
@@ -15,6 +15,8 @@ target = target_of(quake)
 motions = artificial_motions(quake, 64)
 plot_target(target, ln_spectra_of(motions, target.periods))
 
+# %%
+# Both polarities of each motion shake a bookcase.
 runs = simulate_many([Body.rectangle(0.32, 1.80)], motions, progress=False)
 fell = int((runs.outcome != Outcome.STANDING).any("polarity").sum())
 print(f"the bookcase falls in {fell} of {len(motions)} motions, in one polarity or the other")

@@ -3,7 +3,8 @@ What simple criteria miss
 =========================
 
 Two peaks of a motion give a verdict at once. Here each criterion judges 44 motions, and the
-simulation says which of its verdicts were right. A score above 1 means that the body may overturn.
+simulation says which of its verdicts were right. A score above 1 means that the body may
+overturn.
 """
 
 import matplotlib.pyplot as plt

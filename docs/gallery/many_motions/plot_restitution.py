@@ -2,8 +2,8 @@
 What impacts lose
 =================
 
-An ideal impact leaves the angular velocity that the conservation of angular momentum gives. Tests on
-granite find 0.60 to 0.98 of it. What impacts lose more changes how often a bookcase falls.
+An ideal impact leaves the angular velocity that the conservation of angular momentum gives. Tests
+on granite find 0.60 to 0.98 of it. What impacts lose more changes how often a bookcase falls.
 """
 
 import matplotlib.pyplot as plt
@@ -16,9 +16,7 @@ motions = suite("fema-p695-far-field")
 factors = np.linspace(0.6, 1.0, 9)
 shares = []
 for factor in factors:
-    runs = simulate_many(
-        [shelf], motions, model=Rocking(restitution_factor=factor), progress=False
-    )
+    runs = simulate_many([shelf], motions, model=Rocking(restitution_factor=factor), progress=False)
     shares.append(100 * float((runs.outcome != Outcome.STANDING).mean()))
 
 figure, ax = plt.subplots()

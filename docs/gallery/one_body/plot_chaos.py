@@ -2,9 +2,9 @@
 One history is luck
 ===================
 
-A hundred bookcases whose widths differ by about a centimetre, under the same motion. Their histories
-part after a few impacts, so that a single simulation near the border says little. The share of falls
-over many motions does not have this problem.
+A hundred bookcases whose widths differ by about a centimetre, under the same motion. Their
+histories part after a few impacts, so that a single simulation near the border says little. The
+share of falls over many motions does not have this problem.
 """
 
 import matplotlib.pyplot as plt

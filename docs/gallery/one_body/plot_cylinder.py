@@ -2,8 +2,8 @@
 A cylinder that wobbles
 =======================
 
-A gas cylinder of 0.23 m × 1.50 m under half of both horizontal components of a record. A body on a
-round base does not rock to and fro: it rolls around on its rim.
+A gas cylinder of 0.23 m × 1.50 m under half of both horizontal components of a record. A body on
+a round base does not rock to and fro: it rolls around on its rim.
 """
 
 import matplotlib.pyplot as plt

@@ -3,8 +3,8 @@ Housner's rocking period and velocity
 =====================================
 
 Housner (1963) found the period of a slender block that rocks freely, and how much of the angular
-velocity an impact leaves. The block is released here at a part of its slenderness angle; simulated
-times between impacts are compared with his formula.
+velocity an impact leaves. The block is released here at a part of its slenderness angle;
+simulated times between impacts are compared with his formula.
 """
 
 import matplotlib.pyplot as plt
@@ -26,8 +26,8 @@ for ratio in ratios:
 
 # %%
 # Housner's quarter period is arccosh(1 / (1 − θ₀/α)) / p. It grows without bound as the release
-# angle approaches the slenderness. His equation takes sin θ as θ, which is why the two differ in the
-# last column.
+# angle approaches the slenderness. His equation takes sin α as α, which is the difference in the
+# last digits.
 formula = np.arccosh(1 / (1 - ratios)) / p
 for ratio, simulated, closed in zip(ratios[::6], quarter[::6], formula[::6], strict=True):
     print(f"θ₀/α = {ratio:.2f}: {simulated:.4f} s, Housner {closed:.4f} s")

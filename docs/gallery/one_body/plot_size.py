@@ -2,8 +2,8 @@
 The larger of two similar blocks stands more
 ============================================
 
-Blocks of one slenderness lift off at the same acceleration. Whether they fall depends on their size:
-the velocity of the ground must be large enough to turn them over (Housner 1963).
+Blocks of one slenderness lift off at the same acceleration. Whether they fall depends on their
+size: the velocity of the ground must be large enough to turn them over (Housner 1963).
 """
 
 import matplotlib.pyplot as plt

@@ -2,9 +2,9 @@
 A sliding block against Newmark
 ===============================
 
-A low box on a slippery floor slides under a pulse of constant acceleration. Newmark's sliding block
-has a closed form for it: while the floor's acceleration A exceeds μg the box slides, and it comes to
-rest after a slip of A/(2μg) · (A − μg) · T².
+A low box on a slippery floor slides under a pulse of constant acceleration. Newmark's sliding
+block has a closed form for it: while the floor's acceleration A exceeds μg the box slides, and it
+comes to rest after a slip of A/(2μg) · (A − μg) · T².
 """
 
 import matplotlib.pyplot as plt

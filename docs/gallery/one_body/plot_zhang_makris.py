@@ -2,9 +2,9 @@
 Overturning borders of Zhang and Makris
 =======================================
 
-Zhang and Makris (2001) showed that a block overturns under a one-cycle sine pulse in two ways: with
-an impact or without one. Between both there is a bay of pulses that the block survives, although a
-weaker pulse overturns it.
+Zhang and Makris (2001) showed that a block overturns under a one-cycle sine pulse in two ways:
+with an impact or without one. Between both there is a bay of pulses that the block survives,
+although a weaker pulse overturns it.
 """
 
 import numpy as np

@@ -2,8 +2,8 @@
 A hospital's objects, floor by floor
 ====================================
 
-Three objects on every floor of a building of three storeys, in one plane: the share of 44 shakings
-(22 recordings, both polarities) that overturn each of them.
+Three objects on every floor of a building of three storeys, in one plane: the share of 44
+shakings (22 recordings, both polarities) that overturn each of them.
 """
 
 from dataclasses import replace

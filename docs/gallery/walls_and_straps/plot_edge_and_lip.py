@@ -2,7 +2,8 @@
 Off the edge of a shelf
 =======================
 
-A small object 50 mm from the edge of a shelf slides off it, or trips over the lip that should hold it.
+A small object 50 mm from the edge of a shelf slides off it, or trips over the lip that should
+hold it.
 """
 
 import matplotlib.pyplot as plt

@@ -17,14 +17,14 @@ gaps = [0.005, 0.02, 0.05, 0.1, 0.2]
 
 
 def share(surroundings):
-    runs = simulate_many(
-        [shelf], motions, model=model, surroundings=surroundings, progress=False
-    )
+    runs = simulate_many([shelf], motions, model=model, surroundings=surroundings, progress=False)
     return 100 * float((runs.outcome != Outcome.STANDING).mean())
 
 
 alone = share(None)
-beside = [share(Surroundings(walls=(Wall(gap=gap, friction=0.3, restitution=0.3),))) for gap in gaps]
+beside = [
+    share(Surroundings(walls=(Wall(gap=gap, friction=0.3, restitution=0.3),))) for gap in gaps
+]
 print(f"alone {alone:.0f} %, 5 mm from the wall {beside[0]:.0f} %, 200 mm {beside[-1]:.0f} %")
 
 figure, ax = plt.subplots()

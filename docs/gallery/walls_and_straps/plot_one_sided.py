@@ -2,8 +2,8 @@
 One-sided rocking against a wall
 ================================
 
-A block that stands against a wall can rock away from it only, and strikes the wall with its back when
-it returns. Each return leaves the share e of its angular velocity.
+A block that stands against a wall can rock away from it only, and strikes the wall with its back
+when it returns. Each return leaves the share e of its angular velocity.
 """
 
 import matplotlib.pyplot as plt
@@ -17,7 +17,11 @@ figure, ax = plt.subplots()
 for restitution in (0.9, 0.7, 0.5):
     wall = Surroundings(walls=(Wall(restitution=restitution),))
     run = simulate(
-        block, still, model=Rocking(), surroundings=wall, initial_rotation=-0.6 * block.slenderness_left
+        block,
+        still,
+        model=Rocking(),
+        surroundings=wall,
+        initial_rotation=-0.6 * block.slenderness_left,
     )
     times = np.diff(run.impact_times[:4])
     print(f"e = {restitution}: {run.impacts} impacts, the first ones {times.round(3)} s apart")

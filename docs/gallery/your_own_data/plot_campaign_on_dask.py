@@ -2,9 +2,9 @@
 A campaign on Dask
 ==================
 
-Simulations that are too many for memory go to a store in blocks. The same call runs on this machine
-or on a cluster, and an interrupted campaign goes on where it stopped. (The extra ``cluster`` brings
-Dask and Zarr.)
+Simulations that are too many for memory go to a store in blocks. The same call runs on this
+machine or on a cluster, and an interrupted campaign goes on where it stopped. (The extra
+``cluster`` brings Dask and Zarr.)
 """
 
 import tempfile

@@ -2,8 +2,8 @@
 Your own record
 ===============
 
-A record is a file in any known format, or columns of numbers. Its units are read from the header or
-given, never guessed.
+A record is a file in any known format, or columns of numbers. Its units are read from the header
+or given, never guessed.
 """
 
 import tempfile
@@ -20,7 +20,12 @@ time = np.arange(0, 12, 0.01)
 values = 0.35 * np.sin(2 * np.pi * 1.2 * time) * np.exp(-(((time - 4) / 1.5) ** 2))
 file = Path(tempfile.mkdtemp()) / "logger.csv"
 np.savetxt(
-    file, np.c_[time, values], delimiter=",", header="time_s,acceleration_g", comments="", fmt="%.5f"
+    file,
+    np.c_[time, values],
+    delimiter=",",
+    header="time_s,acceleration_g",
+    comments="",
+    fmt="%.5f",
 )
 
 motion = read_motion(file)
