@@ -7,7 +7,7 @@
 # make app      a folder that runs without Python, for this platform
 # make interop  exported files read by OpenQuake and pelicun
 # make test-web the page in headless Chromium
-# make docs     the site, in docs/_build/html; DOCS_RUN=0: without running its examples
+# make docs     the site, in docs/_build/html, and every command of every page; DOCS_RUN=0: unrun
 # make fuzz     COUNT (20,000) damaged files of every kind, and each command killed KILLS (3) times
 
 PYTHON ?= python3
@@ -79,6 +79,7 @@ app: $(VENV)/installed
 docs: $(VENV)/installed requirements-docs.lock
 	$(BIN)/python -m pip install --quiet --no-compile --require-hashes -r requirements-docs.lock
 	$(BIN)/python -m sphinx -q -W --keep-going -b html docs docs/_build/html
+	test "$(DOCS_RUN)" = 0 || $(BIN)/python docs/run_pages.py
 
 wheel: $(VENV)/installed
 	$(BIN)/python -m scripts.compile_wheel

@@ -12,7 +12,7 @@ SIZES = (1e-6, 1e6)  # m: with squares of others, arithmetic would overflow or l
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Body:
-    """A rigid body in the vertical plane of the motion (theory, section 1).
+    """A rigid body that moves in a vertical plane (theory, section 1).
 
     Its mass cancels, but where a strap or glue holds it.
 

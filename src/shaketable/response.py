@@ -28,11 +28,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class Response(ABC):
-    """One body under one motion: a `PlanarResponse`, or the `SolidResponse` of a solid.
+    """The result of one simulation: a `PlanarResponse` or a `SolidResponse`.
 
-    Results have the names and meanings of `simulate_many` (docs/reference/results.md). Histories are given at
-    the motion's samples. They go on after its end, under gravity alone and at steps of their own
-    (see `time`), until the body rests or has fallen.
+    Results have the names and meanings of `simulate_many` (docs/reference/results.md). Histories
+    are given at the motion's samples. They go on after its end, under gravity alone and at steps of
+    their own (see `time`), until the body rests or has fallen.
 
     Attributes:
         outcome: STANDING, DOWNHILL or UPHILL.
@@ -109,7 +109,7 @@ class Response(ABC):
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class PlanarResponse(Response):
-    """One planar body under one motion; its history stops before it has overturned.
+    """The result of one planar simulation; its history ends when the body overturns.
 
     Attributes:
         impacts: up to the certified end of a bounce sequence.

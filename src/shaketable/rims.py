@@ -24,7 +24,7 @@ def uneven_rims(
     rise: tuple[float, float] = (1e-4, 1e-3),
     points: tuple[int, int] = (3, 5),
 ) -> tuple[Solid, ...]:
-    """Copies of a cylinder, each of which stands on high points of its rim, drawn at random.
+    """Return copies of a cylinder that stand on high points of their rims, drawn at random.
 
     An ideal rim tips under the same acceleration in all directions, and loses nothing as it rolls.
     One on high points tips under less over the side between two of them, and strikes each of them

@@ -58,7 +58,7 @@ def overturning_risk(
     model: Model | str | None = None,
     progress: Progress = False,
 ) -> OverturningRisk:
-    """Share of `n` motions compatible with each floor's spectrum that overturn each body.
+    """Return the share of `n` motions with each floor's spectrum that overturn each body.
 
     The motions of a floor are made once for all bodies. They last so long that 5 to 95 % of their
     Arias intensity takes the same time as that of the floor motion, and are used in one direction

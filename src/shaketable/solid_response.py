@@ -41,7 +41,7 @@ class Grip(IntEnum):
 
 @dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class SolidResponse(Response):
-    """One solid under one motion.
+    """The result of one simulation in three dimensions.
 
     All directions and positions are in the support's frame: x and y in its plane, z its normal.
     The last sample of a solid that overturned is at `overturning_time`.

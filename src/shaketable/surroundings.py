@@ -153,7 +153,7 @@ def _place(name: str, value: object) -> tuple[float, ...]:
 
 @dataclass(frozen=True, kw_only=True)
 class Edge:
-    """Where the support ends, as the front of a shelf or a table does, with a lip or without.
+    """The edge of a support, such as the front of a shelf, with or without a lip.
 
     Args:
         at: its distance from the foot of the centre of gravity at the start [m].
@@ -191,7 +191,7 @@ class Edge:
 
 @dataclass(frozen=True, kw_only=True)
 class Pad:
-    """Feet that are glued down, as by museum wax: until one is pulled off, then not again.
+    """Adhesive feet, such as museum wax, which hold until one is pulled off.
 
     The body needs a mass.
 
@@ -211,7 +211,7 @@ class Pad:
 
 @dataclass(frozen=True, kw_only=True)
 class Surroundings:
-    """What stands beside a body, and what holds it on its support.
+    """The walls beside a body, its straps, the edge of its support and its adhesive feet.
 
     Args:
         walls: at most 4.

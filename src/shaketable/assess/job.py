@@ -54,7 +54,7 @@ def assess(
     leading: int = LEADING,
     progress: Progress = True,
 ) -> Assessment:
-    """Who overturns, which way, and what would help; who slides or rolls, and how far.
+    """Simulate a list of objects: which overturn, slide or roll, and which measures help.
 
     Every motion counts twice, as recorded and reversed. Where motions have both horizontal
     components an object whose depth and width are known is simulated in three dimensions, turned in

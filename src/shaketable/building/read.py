@@ -104,7 +104,7 @@ PROFILE: Kinds = {**_COMPUTED, "profile": str, **dict.fromkeys(computed.FACTORS,
 def read_building(
     path: str | Path, ground: Sequence[Motion] = (), *, progress: Progress = False
 ) -> Building:
-    """The building that a TOML file describes.
+    """Read a building from a TOML file.
 
     Args:
         path: of the file.
@@ -165,7 +165,7 @@ def building_of_structure(
 
 
 class Overview(NamedTuple):
-    """What a building's file says before anything is computed.
+    """The contents of a building's file before anything is computed.
 
     Attributes:
         name: of the building; that of the file, if it does not say.

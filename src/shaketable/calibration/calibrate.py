@@ -164,7 +164,7 @@ def calibrate(
     progress: Progress = True,
     threads: int | None = None,
 ) -> Calibration:
-    """Weigh the bodies of a prior by how well they explain a body's tests.
+    """Weigh an ensemble of bodies by how well each predicts shake-table tests.
 
     The noise on the motions and the error rate are chosen by cross-validation over whole
     recordings: tests of one record at several levels are in one fold.

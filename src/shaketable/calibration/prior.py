@@ -80,7 +80,7 @@ PARAMETERS = {
 
 @dataclass(frozen=True, kw_only=True)
 class Prior:
-    """Ranges of the parameters of a rectangle that stands for a body.
+    """Ranges of slenderness, size, offset and restitution before any test.
 
     A body that is no rectangle has one that rocks like it: with its own angle to the corner, and
     with the half diagonal that gives its frequency p = √(3g/4r).

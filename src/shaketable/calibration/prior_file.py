@@ -15,7 +15,7 @@ COLUMNS = ("parameter", "low", "high", "distribution")
 
 
 def read_prior(path: str | Path, base: Prior | None = None) -> Prior:
-    """The prior of a table: CSV, .xlsx or .ods; what it does not name keeps its range.
+    """Read a prior from a table; parameters that it does not name keep their ranges.
 
     Args:
         path: of a table with the columns parameter, low, high and distribution (uniform or

@@ -89,7 +89,7 @@ class Reliability:
 
 
 def reliability(probability: ArrayLike, fell: ArrayLike) -> Reliability:
-    """Put predicted and seen side by side in bins of the probability."""
+    """Compare predicted probabilities with observed shares, bin by bin."""
     p, y = np.asarray(probability, np.float64), np.asarray(fell, np.float64)
     at = np.clip(np.digitize(p, BINS) - 1, 0, BINS.size - 2)
     tests = np.bincount(at, minlength=BINS.size - 1)

@@ -79,7 +79,7 @@ def read_tests(
     units: str | None = None,
     time_step: float | None = None,
 ) -> list[ShakeTest]:
-    """The tests of a table: CSV, .xlsx or .ods.
+    """Read shake-table tests from a table: CSV, .xlsx or .ods.
 
     Args:
         path: of the table. Its columns are test, motion (a file in `folder`), and, if known,
@@ -156,7 +156,7 @@ def read_tests(
 def ordered_by_number(
     tests: Sequence[ShakeTest], others: Sequence[ShakeTest] = ()
 ) -> tuple[list[ShakeTest], list[ShakeTest]]:
-    """The same, in the order of their numbers where their names are numbers and no order is given.
+    """Order tests by the numbers in their names, unless an order is given.
 
     Laboratories number their tests as they make them. Other tests get a place only if their numbers
     are of the same sequence: between the first and the last, and none of them taken.

@@ -24,7 +24,7 @@ LEAST_FOOT = 0.02  # of the base: no foot of the centre of gravity lies nearer t
 
 @dataclass(frozen=True, kw_only=True)
 class Uncertainty:
-    """Standard deviations of what is not known exactly; 0 fixes it.
+    """Standard deviations of uncertain parameters; 0 fixes a parameter.
 
     Args:
         slenderness: of the logarithm of the base's width at the same height.
@@ -90,7 +90,7 @@ def overturning_probability(
     progress: Progress = False,
     threads: int | None = None,
 ) -> Probability:
-    """The probability that a body overturns, where body, support and motion are uncertain.
+    """Estimate the probability that an uncertain body overturns under an uncertain motion.
 
     Args:
         body, motion, support, scale: in the middle of what is possible.

@@ -27,7 +27,7 @@ MEANING = "sums over recordings or events of products of downhill falls d, uphil
 
 
 def open_campaign(store: str | Path, *, partial: bool = False, check: bool = True) -> xr.Dataset:
-    """The results of a campaign, as an xarray.Dataset.
+    """Open the results of a campaign as an xarray.Dataset.
 
     Args:
         store: folder or URL.

@@ -52,7 +52,7 @@ def run_campaign(
     progress: Progress = True,
     threads: int | None = None,
 ) -> xr.Dataset:
-    """Shake every body as `simulate_many` does, in blocks that are kept in a store once done.
+    """Run `simulate_many` in blocks that a store keeps, so that it can be resumed.
 
     A run that was stopped, killed or met a full disk goes on where it was: a block counts once its
     results and the note that it is done are written, and is then never done again.

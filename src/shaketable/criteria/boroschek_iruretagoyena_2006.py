@@ -1,4 +1,4 @@
-"""Which way a body on a tilted support overturns, if it does.
+"""Curves of the share of falls that go downhill on a tilted support.
 
 Boroschek R., Iruretagoyena A. (2006) Controlled overturning of unanchored rigid bodies, Earthquake
 Engng Struct. Dyn. 35(6):695-711.

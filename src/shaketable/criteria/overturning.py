@@ -64,7 +64,7 @@ def _of_both(
 
 
 def verdicts(body: Body, pga: float, pgv: float) -> list[Verdict]:
-    """What each criterion says of a body under a motion of that PGA [m/s²] and PGV [m/s]."""
+    """Return the verdict of each criterion for a body, a PGA [m/s²] and a PGV [m/s]."""
     return [
         housner_1963.verdict(body, pga, pgv),
         ishiyama_1982.verdict(body, pga, pgv),

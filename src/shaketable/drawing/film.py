@@ -27,7 +27,7 @@ MOVED = 1e-4  # m or rad: the eye sees no smaller movement
 
 
 def animate_response(response: ShownResponse, path: Path) -> Path:
-    """The body on its tilted support, in real time, as a GIF or an MP4.
+    """Write a film of a planar body in real time, as a GIF or an MP4.
 
     It turns, slides and jumps as it was simulated, with its walls and straps, whose colour tells
     their force. A dot shows the centre of gravity, and a mark on the support where it stood.

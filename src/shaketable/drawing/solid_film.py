@@ -49,7 +49,7 @@ LINES = 12  # on the plate, about
 
 
 def animate_solid(run: ShownRun, path: Path) -> Path:
-    """The solid on its tilted support, in real time, as a GIF or an MP4.
+    """Write a film of a solid in real time, as a GIF or an MP4.
 
     It is seen from the support, in perspective, with its shadow. The plate's lines give the scale.
     Films of more than half a minute have fewer pictures a second.

@@ -74,7 +74,7 @@ def ida(
     progress: Progress = False,
     threads: int | None = None,
 ) -> xr.Dataset:
-    """The lowest level of each motion that overturns each body, and what it survives above it.
+    """Find the lowest level of each motion that overturns each body (incremental dynamic analysis).
 
     Args:
         bodies: one or more, on a level support.

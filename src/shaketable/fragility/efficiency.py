@@ -58,7 +58,7 @@ def efficiency(
     progress: Progress = False,
     threads: int | None = None,
 ) -> pd.DataFrame:
-    """Dispersion about each measure, and what else of the motion matters beside it.
+    """Compare intensity measures by their dispersion (efficiency) and sufficiency.
 
     Args:
         bodies: one or more; each is compared by itself.

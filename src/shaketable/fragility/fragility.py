@@ -54,7 +54,7 @@ _FLOOR = re.compile(r"\bfloor [1-9]|\b\d+(st|nd|rd|th) floor|\broof\b", re.IGNOR
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fragility:
-    """Fragility functions of some bodies for some limit states.
+    """Fragility functions, one for each body and limit state.
 
     Attributes:
         curves: body after body, for each the states in the order of their severity as given.
@@ -222,7 +222,7 @@ def fragility(
     progress: Progress = False,
     threads: int | None = None,
 ) -> Fragility:
-    """Lognormal fragility functions by maximum likelihood.
+    """Fit lognormal fragility functions by maximum likelihood.
 
     The probability that a body reaches a limit state at an intensity x is Φ(ln(x/θ)/β). Baker J.W.
     (2015), Earthquake Spectra 31(1):579-599. Intervals are those of a bootstrap over events, and

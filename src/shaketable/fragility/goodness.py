@@ -18,7 +18,7 @@ Function = Callable[[Any], Any]
 
 
 class Goodness(NamedTuple):
-    """How a lognormal function compares with others, of the same simulations.
+    """The fit of a lognormal function beside that of other functions to the same simulations.
 
     Attributes:
         deviance: of the lognormal fit.

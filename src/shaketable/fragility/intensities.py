@@ -28,7 +28,7 @@ def with_intensities(
     *,
     components: str = OWN,
 ) -> xr.Dataset:
-    """The runs with intensity measures of their motions, as they were scaled, as coordinates.
+    """Add the intensity measures of the scaled motions to a Dataset of runs, as coordinates.
 
     They are those of the motion under the support: of the ground, or of a floor where floors'
     motions were given.

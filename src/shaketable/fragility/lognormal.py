@@ -1,4 +1,4 @@
-"""Lognormal fragility functions by maximum likelihood.
+"""Fit lognormal fragility functions by maximum likelihood.
 
 The probability that a state is reached at an intensity x is Φ(ln(x/θ)/β): a probit regression on
 ln x. Baker J.W. (2015) Efficient analytical fragility function fitting using dynamic structural

@@ -67,7 +67,7 @@ def overturning_spectrum(
     progress: Progress = False,
     threads: int | None = None,
 ) -> xr.Dataset:
-    """What pulses of all frequencies and amplitudes do to a body on a level support.
+    """Simulate a body on a level support under pulses of many frequencies and amplitudes.
 
     Zhang J., Makris N. (2001) Rocking response of free-standing blocks under cycloidal pulses, J.
     Eng. Mech. 127(5):473-483. The pulse begins toward +x.
@@ -181,7 +181,7 @@ def rocking_spectrum(
     progress: Progress = False,
     threads: int | None = None,
 ) -> xr.Dataset:
-    """The largest rotation of blocks of all sizes under one motion.
+    """Return the largest rotation of blocks of all sizes under one motion.
 
     Makris N., Konstantinidis D. (2003) The rocking spectrum and the limitations of practical design
     methodologies, Earthquake Engng Struct. Dyn. 32(2):265-289. Blocks are rectangles with the

@@ -86,7 +86,7 @@ Quantity = float | Uncertain
 
 @dataclass(frozen=True, kw_only=True)
 class UncertainBody:
-    """A rectangle of which something is uncertain.
+    """A rectangle with uncertain sizes, eccentricity or restitution.
 
     Attributes:
         width, height: full sizes [m].
@@ -153,7 +153,7 @@ class UncertainBody:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class UncertainFragility:
-    """The function of an object that is not known exactly.
+    """A fragility function of an uncertain object, with β of motions and of the object apart.
 
     Attributes:
         fragility: of all drawn objects together: what is to be used, drawn and exported.

@@ -41,7 +41,7 @@ def artificial_motions(
     progress: Progress = False,
     threads: int | None = None,
 ) -> list[Motion]:
-    """Motions of an earthquake: their spectra and durations spread as the models say.
+    """Make artificial motions of an earthquake, with the scatter of ground-motion models.
 
     Each is one horizontal component. The k-th motion of a seed is the same for any n.
 

@@ -150,7 +150,7 @@ def scenario(
     region: str = "california",
     hypocentral_depth: float | None = None,
 ) -> Scenario:
-    """The ground motion of an earthquake of a magnitude at a distance.
+    """Predict the ground motion of an earthquake of a given magnitude and distance.
 
     Args:
         magnitude: moment magnitude.

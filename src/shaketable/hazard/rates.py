@@ -72,7 +72,7 @@ class AnnualRate:
 
 
 def annual_rate(fragility: Fragility | Curve, hazard: Hazard) -> AnnualRate:
-    """How often a year a body reaches a limit state.
+    """Integrate a fragility function over a hazard curve: the rate per year of a limit state.
 
     Args:
         fragility: one function, of the measure of the ground that the hazard has.

@@ -31,7 +31,7 @@ def read_hazard(
     site: tuple[float, float] | None = None,
     exposure: float | None = None,
 ) -> Hazard:
-    """The hazard curve of a site.
+    """Read the hazard curve of a site.
 
     Read are OpenQuake's hazard curves (CSV: probabilities in an investigation time, as rates), the
     curves of the USGS National Seismic Hazard Model (CSV of annual rates, JSON of its web

@@ -79,7 +79,7 @@ def select_motions(
     seed: int = 0,
     progress: Progress = False,
 ) -> Selection:
-    """The motions whose spectra are distributed as a target's.
+    """Select recorded motions whose spectra have the distribution of a target.
 
     At most one component of a recording is taken.
 

@@ -113,7 +113,7 @@ class ShakeMap:
 def read_shakemap(
     path: str | Path, uncertainty: str | Path | None = None, *, assumed_sigma: float | None = None
 ) -> ShakeMap:
-    """A ShakeMap from its grid.xml.
+    """Read a ShakeMap from its grid.xml.
 
     Args:
         path: of the grid.

@@ -62,7 +62,7 @@ def read_inventory(
     columns: str | Path | None = None,
     catalogue: bool = False,
 ) -> list[Item]:
-    """The items of an inventory file: CSV, .xlsx or .ods.
+    """Read the objects of an inventory file: CSV, .xlsx or .ods.
 
     Args:
         path: of the file.

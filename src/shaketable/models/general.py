@@ -38,7 +38,7 @@ EVENTS = 64  # room for impacts and changes of phase at first
 
 @dataclass(frozen=True, kw_only=True)
 class General(Model):
-    """A body that rests, slides, rocks, slides and rocks, or flies on a support with friction.
+    """The general model: a body rests, slides, rocks or flies, with friction and restitution.
 
     Ishiyama Y. (1982), on a tilted support Boroschek and Iruretagoyena (2006) eqs. 3-10; theory,
     sections 3 to 6.

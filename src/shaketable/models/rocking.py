@@ -35,7 +35,7 @@ IMPACTS = 64  # room for impacts at first
 
 @dataclass(frozen=True, kw_only=True)
 class Rocking(Model):
-    """A body that rocks about its corners; friction is sufficient, and contact is kept.
+    """The rocking model: a body rocks about its corners and neither slides nor jumps.
 
     Housner G.W. (1963), on a tilted support Boroschek and Iruretagoyena (2006) eq. 2, off centre
     Boroschek and Romo (2004) eq. 34; theory, section 2.

@@ -62,7 +62,7 @@ def plot_target(
 
 
 def plot_map(quake: ShakeMap, measure: str, places: pd.DataFrame, ax: Axes | None = None) -> Axes:
-    """How strongly the ground was shaken, and where things are expected to fall.
+    """Draw a map of the shaking and of the expected falls.
 
     Args:
         quake: of which the shaking is drawn.

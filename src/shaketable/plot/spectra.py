@@ -26,7 +26,7 @@ LOOKS = {
 def plot_overturning_spectrum(
     spectrum: xr.Dataset, borders: pd.DataFrame | None = None, ax: Axes | None = None
 ) -> Axes:
-    """What pulses do to a body, over their frequency and amplitude.
+    """Draw what pulses do to a body, over their frequency and amplitude.
 
     Args:
         spectrum: what `overturning_spectrum` gives.
@@ -72,7 +72,7 @@ def plot_overturning_spectrum(
 
 
 def plot_rocking_spectrum(spectrum: xr.Dataset, ax: Axes | None = None) -> Axes:
-    """The largest rotation of blocks of all sizes under one motion.
+    """Return the largest rotation of blocks of all sizes under one motion.
 
     Args:
         spectrum: what `rocking_spectrum` gives.

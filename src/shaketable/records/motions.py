@@ -33,7 +33,7 @@ def read_motion(
     units: str | None = None,
     time_step: float | None = None,
 ) -> Motion:
-    """A motion from a record file.
+    """Read a motion from a record file of any known format.
 
     Records that their networks publish uncorrected carry their instruments' offsets; their mean is
     subtracted. Where the two time steps differ, the coarser component is interpolated linearly at

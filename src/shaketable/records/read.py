@@ -88,7 +88,7 @@ FORMATS = [
 def read_components(
     path: str | Path, *, units: str | None = None, time_step: float | None = None
 ) -> list[Component]:
-    """Every acceleration component that a record file holds, as given by the file.
+    """Read every acceleration component of a record file, unchanged.
 
     Args:
         path: a file in one of FORMATS, miniSEED (with ObsPy), or a zip archive of such files,

@@ -65,7 +65,7 @@ def suite(
     pairs: bool = False,
     progress: Progress = False,
 ) -> Suite:
-    """The motions of an embedded suite, of a folder of records, or of one record file.
+    """Return the motions of a packaged suite, a folder of records, or one record file.
 
     The motions of an embedded suite are recorded and unscaled, without vertical components. Those
     of a folder are every horizontal component of every record below it, kept in the user's cache

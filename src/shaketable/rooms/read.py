@@ -71,7 +71,7 @@ MOST_PEOPLE = 1000.0
 
 
 def read_room(path: str | Path, *, check: bool = True) -> Room:
-    """The room that a TOML file describes.
+    """Read a room from a TOML file.
 
     Args:
         path: of the file.

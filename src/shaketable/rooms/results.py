@@ -15,7 +15,7 @@ from shaketable.rooms.room import Place, Room, Thing
 
 @dataclass(frozen=True)
 class ThingResult:
-    """What becomes of a thing.
+    """How often an object of a room falls, to which side, and what it covers.
 
     Attributes:
         name: of it.
@@ -38,7 +38,7 @@ class ThingResult:
 
 @dataclass(frozen=True)
 class PlaceResult:
-    """What happens to a place.
+    """How often something falls on a place of a room, and whom it hits.
 
     Attributes:
         place: of the room.
@@ -62,7 +62,7 @@ class PlaceResult:
 
 @dataclass(frozen=True)
 class WayResult:
-    """What happens to a way out.
+    """How often a way out of a room is closed, and by which objects.
 
     Attributes:
         place: where it begins.

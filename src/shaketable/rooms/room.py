@@ -47,7 +47,7 @@ class PlaceKind(StrEnum):
 
 @dataclass(frozen=True, kw_only=True)
 class Door:
-    """A door in a wall of a room.
+    """A door in a wall of a room, with its width, hinges and swing.
 
     Attributes:
         name: of it.

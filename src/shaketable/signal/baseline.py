@@ -60,7 +60,7 @@ def baseline_corrected(
     t2: float | None = None,
     t3: float | None = None,
 ) -> Motion:
-    """The motion with its baseline corrected and its permanent displacement kept.
+    """Correct a motion's baseline and keep its permanent displacement.
 
     It is meant for records as their instruments gave them. Filtered records have lost their
     permanent displacement, and the correction would invent one of decimetres. To remove an offset

@@ -252,7 +252,7 @@ def measure_named(name: str) -> Measure:
 def intensity_measures(
     motion: Motion, *, sa: Sequence[float] = (0.3, 1.0), average_sa: Sequence[float] = (1.0,)
 ) -> dict[str, float]:
-    """Every intensity measure of the horizontal component, by name, in SI.
+    """Return PGA, PGV and all other intensity measures of the horizontal component, in SI.
 
     Peak velocity and displacement are those of the motion as it is, from rest: first correct the
     baseline of a motion that is published uncorrected.

@@ -14,7 +14,7 @@ Series = NDArray[np.float64]
 
 
 def detrended(motion: Motion, *, order: int = 0, until: float | None = None) -> Motion:
-    """The motion without the polynomial that fits its acceleration best.
+    """Subtract the best-fitting polynomial from the acceleration.
 
     Args:
         order: 0 subtracts the mean, 1 a straight line.
@@ -41,7 +41,7 @@ def detrended(motion: Motion, *, order: int = 0, until: float | None = None) -> 
 def filtered(
     motion: Motion, *, low: float | None = None, high: float | None = None, order: int = 4
 ) -> Motion:
-    """The motion after a Butterworth filter run forwards and backwards, which shifts no phase.
+    """Apply a Butterworth filter forwards and backwards, which shifts no phase.
 
     While it is filtered, 1.5 order/low seconds of zeros are put before and after the motion
     (Boore 2005); they are removed again.

@@ -16,7 +16,7 @@ from shaketable.signal.spectra import Spectrum, spectral_acceleration
 
 @dataclass(frozen=True, eq=False)
 class IntensityMeasure:
-    """What is made equal in all motions.
+    """The intensity measure to which all motions are scaled.
 
     Attributes:
         name: what to call it.

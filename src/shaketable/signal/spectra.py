@@ -99,7 +99,7 @@ class Spectrum:
 def response_spectrum(
     motion: Motion, periods: ArrayLike = PERIODS, *, damping: float = 0.05
 ) -> Spectrum:
-    """The spectrum of the horizontal component, exact for accelerations linear between samples.
+    """Return the response spectrum of the horizontal component, exact for a linear record.
 
     The largest relative displacement is taken between the samples, too, and in the free vibration
     after the last one. A period of zero gives the peak ground acceleration.

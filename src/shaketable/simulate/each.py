@@ -44,7 +44,7 @@ def simulate_each(
     progress: Progress = True,
     threads: int | None = None,
 ) -> xr.Dataset:
-    """Shake members side by side: body k under motion k on tilt k, and so on, on all cores.
+    """Simulate members side by side: body k under motion k on tilt k, on all cores.
 
     An ensemble of uncertain bodies or a fit needs this, where `simulate_many` would run every body
     under every motion. Members that share a motion (the same object) and its scale run together,

@@ -32,7 +32,7 @@ LEAST_DUCTILITY = 1.3  # R_mu above grade
 
 @dataclass(frozen=True, kw_only=True)
 class FloorProfile:
-    """A building of which storeys are counted, and a little more may be known.
+    """A building known by its number of storeys and little more.
 
     Args:
         storeys: number of storeys, of equal height.

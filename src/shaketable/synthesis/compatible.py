@@ -66,7 +66,7 @@ def spectrum_compatible(
     progress: Progress = False,
     threads: int | None = None,
 ) -> list[Motion]:
-    """`n` artificial motions whose response spectra are the target's.
+    """Make `n` artificial motions whose response spectra match a target.
 
     Each is within `tolerance` of the target at every period of the band, begins at rest, ends at
     rest where it began, and has phases of its own. The k-th motion of a seed is the same for any n.

@@ -223,7 +223,7 @@ def match_spectrum(
     tolerance: float = TOLERANCE,
     prescale: bool = True,
 ) -> Motion:
-    """A recorded motion whose horizontal component has the target's spectrum in a band.
+    """Change a recorded motion so that its spectrum matches a target in a band of periods.
 
     It keeps the motion's length, time step and, as far as the target allows, its phases; its
     vertical component is scaled by the same factor. It ends at rest, where it began.

@@ -99,7 +99,7 @@ class TiltDesign:
 
 
 def shim_height(length: float, tilt: float) -> float:
-    """How far [m] the uphill edge of a base or a board stands above the other edge.
+    """Return the height [m] of the wedge that tilts a base or a board.
 
     Args:
         length: of the base or the board [m].
@@ -127,7 +127,7 @@ def design_tilt(
     seed: int = 0,
     progress: Progress = True,
 ) -> TiltDesign:
-    """The smallest tilt that sends `control` of a body's falls downhill, and what it costs.
+    """Find the smallest tilt that sends the share `control` of a body's falls downhill.
 
     Args:
         body: what stands on the support; SCOR takes it for a rectangle of twice the height of
@@ -184,7 +184,7 @@ def tilt_effect(
     seed: int = 0,
     progress: Progress = True,
 ) -> TiltEffect:
-    """What a support of a given tilt [rad] does; the other arguments as for `design_tilt`.
+    """Simulate the effect of a given tilt [rad]; other arguments as for `design_tilt`.
 
     Raises:
         InputError: values out of range, or a tilt on which the body falls or slides by itself.

@@ -96,7 +96,7 @@ AT_FRICTION = Field(description="in words, where it was found with another frict
 
 
 class ThingFound(BaseModel):
-    """What becomes of a thing."""
+    """How often an object of a room falls, to which side, and what it covers."""
 
     name: str
     falls: InHundred
@@ -112,7 +112,7 @@ class ThingFound(BaseModel):
 
 
 class PlaceFound(BaseModel):
-    """What happens to a place."""
+    """How often something falls on a place of a room, and whom it hits."""
 
     name: str
     hit: InHundred
@@ -124,7 +124,7 @@ class PlaceFound(BaseModel):
 
 
 class WayFound(BaseModel):
-    """What happens to a way out."""
+    """How often a way out of a room is closed, and by which objects."""
 
     place: str
     door: str = Field(description="its name, empty for any")
