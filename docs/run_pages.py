@@ -12,6 +12,7 @@ prints, it has to print that. Exit code 1 if anything fails.
 from __future__ import annotations
 
 import argparse
+import csv
 import os
 import re
 import shlex
@@ -23,6 +24,8 @@ import tempfile
 import time
 from pathlib import Path
 from typing import NamedTuple
+
+import openpyxl
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
@@ -93,8 +96,15 @@ def _commands(lines: list[str]) -> list[Step]:
 def furnish(folder: Path) -> None:
     """Write the files that pages name: lists, records, a building, a hazard curve."""
     shutil.copytree(ROOT / "examples", folder / "examples")
-    for name in ("rooms.csv", "store.csv", "things.csv"):
+    for name in ("rooms.csv", "store.csv"):
         (folder / name).write_text(LIST, encoding="utf-8")
+    workbook = openpyxl.Workbook()
+    for row in csv.reader(LIST.splitlines()):
+        workbook.active.append(row)
+    workbook.save(folder / "rooms.xlsx")
+    header, bookcase, cabinet = LIST.splitlines()
+    on_floors = f"{header},floor\n{bookcase},0\n{cabinet},2\n"
+    (folder / "things.csv").write_text(on_floors, encoding="utf-8")
     for name in ("record.AT2", "RSN1004.AT2", "roof.AT2"):
         (folder / name).write_text(at2(2000), encoding="latin-1")
     for name in ("station.V2", "CE36456.V2"):
@@ -103,14 +113,15 @@ def furnish(folder: Path) -> None:
     for code in ("000", "090"):
         name = f"RSN1_QUAKE_STA{code}.AT2"
         write_at2(folder / "my_records", name, code, 0.001 * shaking(2000, seed=int(code)))
-    (folder / "rooms").mkdir()
+    (folder / "plans").mkdir()
     for name in ("hospital_room", "laboratory_room"):
-        shutil.copy(ROOT / "examples" / f"{name}.toml", folder / "rooms")
+        shutil.copy(ROOT / "examples" / f"{name}.toml", folder / "plans")
     shutil.copy(ROOT / "examples" / "clinic.toml", folder / "clinic.toml")
     shutil.copy(ROOT / "examples" / "clinic.toml", folder / "building.toml")
     shutil.copy(ROOT / "examples" / "hazard.csv", folder / "curve.csv")
     shutil.copy(ROOT / "examples" / "hazard.csv", folder / "hazard_curve-mean-PGV_1.csv")
-    shutil.copy(ROOT / "examples" / "shakemap" / "grid.xml", folder / "grid.xml")
+    for name in ("grid.xml", "uncertainty.xml"):
+        shutil.copy(ROOT / "examples" / "shakemap" / name, folder)
 
 
 def run(page: Path, long: bool) -> list[str]:
@@ -142,7 +153,7 @@ def run(page: Path, long: bool) -> list[str]:
                 print(f"left out: {step.text}: {reason}", flush=True)
                 continue
             said = subprocess.run(  # noqa: S603  our own pages
-                [sys.executable, "-m", *shlex.split(step.text)],
+                [sys.executable, "-m", *_words(step.text, folder)],
                 cwd=folder, capture_output=True, text=True, env=os.environ | {"COLUMNS": "400"},
             )  # fmt: skip
             seconds = time.monotonic() - begun
@@ -177,6 +188,15 @@ def _serve(command: str, folder: Path) -> subprocess.Popen[bytes]:
         except OSError:
             time.sleep(0.1)
     return server
+
+
+def _words(command: str, folder: Path) -> list[str]:
+    """The words of a command, with the files that a pattern means, as a shell gives them."""
+    words: list[str] = []
+    for word in shlex.split(command):
+        found = sorted(folder.glob(word)) if "*" in word else []
+        words += [str(path.relative_to(folder)) for path in found] or [word]
+    return words
 
 
 def _left_out(command: str, long: bool) -> str:

@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 
 from shaketable import Body, General, Outcome, Solid, simulate_many, suite
 
-pairs = suite("fema-p695", pairs=True)[:24]
+pairs = suite("fema-p695-both-directions", pairs=True)[:24]
 model = General(static_friction=0.5)
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from shaketable import General, Solid, simulate, suite
 
 gas = Solid.cylinder(0.23, 1.50, rolling_friction=0.003, name="gas cylinder")
-shaking = suite("fema-p695", pairs=True)[18].scaled(0.5)
+shaking = suite("fema-p695-both-directions", pairs=True)[14].scaled(0.5)
 run = simulate(gas, shaking, model=General(static_friction=0.5))
 print(f"{run.outcome.name}, leaned by up to {np.degrees(run.peak_rotation):.1f}°")
 

@@ -40,7 +40,10 @@ height_m = 1.8
 """
 )
 found = assess_room(
-    read_room(plan), suite("fema-p695", pairs=True)[:16], frictions=(), progress=False
+    read_room(plan),
+    suite("fema-p695-both-directions", pairs=True)[:16],
+    frictions=(),
+    progress=False,
 )
 for way in found.ways:
     closed = way.closed

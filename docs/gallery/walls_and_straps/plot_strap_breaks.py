@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 from shaketable import General, Solid, Strap, Surroundings, Wall, simulate, suite
 
 shelf = Solid.box(0.32, 0.80, 1.80, mass=100, name="bookcase")
-shaking = suite("fema-p695", pairs=True)[3]
+shaking = suite("fema-p695-both-directions", pairs=True)[3]
 figure, ax = plt.subplots()
 for strength in (float("inf"), 400.0):
     strap = Strap(
