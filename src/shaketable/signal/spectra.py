@@ -105,6 +105,7 @@ def response_spectrum(
     after the last one. A period of zero gives the peak ground acceleration.
 
     Args:
+        motion: of the ground or of a floor.
         periods: [s], shape (n,), rising.
         damping: ratio of critical damping, 0 <= damping < 1.
 
