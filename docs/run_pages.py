@@ -4,9 +4,10 @@ python docs/run_pages.py                 all pages, but for what takes minutes
 python docs/run_pages.py --long          that, too
 python docs/run_pages.py how_to/rooms.md README.md
 
-Each page is worked through from its top to its end in a folder of its own, where files stand in for
-those that the pages name. A command has to end with exit code 0; where a page shows what a command
-prints, it has to print that. Exit code 1 if anything fails.
+Each page has a folder of its own, where files stand in for those that it names. Its commands are
+run from its top to its end, then all its Python together. A command has to end with exit code 0,
+and where a page shows what it prints (below it, or in the block of text that follows), it has
+to print that. Exit code 1 if anything fails.
 """
 
 from __future__ import annotations
@@ -47,11 +48,10 @@ LIST = "name,depth_m,width_m,height_m\nBookcase,0.32,0.90,1.80\nCabinet,0.45,0.8
 DONE: set[str] = set()  # commands that were run
 #: What the pages' Python takes as given.
 GIVEN = """
-import numpy as np
-from shaketable import Body, read_motion, suite
-bodies = [Body.rectangle(0.2 * h, h) for h in (0.5, 1.0, 1.5)]
-longitudes, latitudes = np.array([8.0, 8.1]), np.array([47.0, 47.1])
-medians, betas = np.array([0.4, 0.6]), np.array([0.4, 0.4])
+import numpy, shaketable
+bodies = [shaketable.Body.rectangle(0.2 * h, h) for h in (0.5, 1.0, 1.5)]
+longitudes, latitudes = numpy.array([-70.9, -70.6]), numpy.array([-33.5, -33.3])
+medians, betas = numpy.array([0.4, 0.6]), numpy.array([0.4, 0.4])
 """
 
 
@@ -75,9 +75,11 @@ def steps_of(text: str) -> list[Step]:
             found.append(Step("python", fenced))
         elif language in ("console", None):
             lines = [line.removeprefix("    ") for line in (fenced or indented).splitlines()]
-            found += _commands(lines)
+            found += _commands([line for line in lines if line])
         elif language == "text" and fenced.startswith("name,"):
             found.append(Step("list", fenced))
+        elif language == "text" and found and found[-1].kind == "command":
+            found[-1] = found[-1]._replace(printed=fenced)
     return found
 
 
@@ -146,9 +148,8 @@ def run(page: Path, long: bool) -> list[str]:
                 servers.append(_serve(step.text, folder))
                 continue
             reason = _left_out(step.text, long)
-            if step.text in DONE and " campaign " not in step.text:
+            if not step.printed and step.text in DONE and " campaign " not in step.text:
                 reason = "was run for another page"
-            DONE.add(step.text)
             if reason:
                 print(f"left out: {step.text}: {reason}", flush=True)
                 continue
@@ -158,10 +159,12 @@ def run(page: Path, long: bool) -> list[str]:
             )  # fmt: skip
             seconds = time.monotonic() - begun
             print(f"{seconds:6.1f} s  {step.text}", flush=True)
-            if said.returncode:
+            if said.returncode == 0:
+                DONE.add(step.text)
+            else:
                 failed.append(f"{page}: {step.text}: exit {said.returncode}: {said.stderr[-600:]}")
             for line in step.printed.splitlines():
-                if _plain(line) not in _plain(said.stdout):
+                if line.strip("─") and _plain(line) not in _plain(said.stdout):
                     failed.append(f"{page}: {step.text}: does not print: {line}")
         if python != GIVEN:
             said = subprocess.run(  # noqa: S603
@@ -182,12 +185,15 @@ def _serve(command: str, folder: Path) -> subprocess.Popen[bytes]:
     server = subprocess.Popen(words, cwd=folder, stdout=subprocess.DEVNULL)  # noqa: S603
     port = int(command.split()[-1])
     for _ in range(600):
+        if server.poll() is not None:
+            sys.exit(f"{command}: exit {server.returncode}")
         try:
             socket.create_connection(("127.0.0.1", port)).close()
-            break
         except OSError:
             time.sleep(0.1)
-    return server
+        else:
+            return server
+    sys.exit(f"{command}: does not answer")
 
 
 def _words(command: str, folder: Path) -> list[str]:
@@ -219,6 +225,8 @@ def main() -> None:
         pages += sorted((ROOT / place).glob("*.md"))
     if given.pages:
         pages = [page for page in pages if any(str(page).endswith(name) for name in given.pages)]
+        if len(pages) < len(given.pages):
+            parser.error("some of these are no pages")
     failed = [each for page in pages for each in run(page, given.long)]
     print("\n".join(failed))
     sys.exit(bool(failed))

@@ -26,6 +26,7 @@ outline_m = [[0, 0], [4, 0], [4, 3], [0, 3]]
 [[door]]
 at_m = [2, 0]
 """
+ASSESS = "assess list.csv --planar --motions near-field-pulse"
 #: A short command that needs each extra.
 NEEDS = {
     "web": "serve --port 0",
@@ -33,7 +34,19 @@ NEEDS = {
     "scenario": "scenario list.csv --magnitude 7 --distance-km 20 --out quake",
     "rooms": "room check room.toml",
     "studies": "study boroschek-romo-2004 --out study",
-    "docx": "assess list.csv --planar --motions near-field-pulse --docx --out docx",
+    "docx": f"{ASSESS} --docx --out docx",
+}
+#: What is done where an extra is there; `web` and `cluster` begin what never ends, and are imported.
+WORKS = {
+    "parquet": f"{ASSESS} --out parquet",
+    "campaign": NEEDS["campaign"],
+    "cluster": "campaign run campaign.toml --workers 1 --store shared",
+    "scenario": NEEDS["scenario"] + " --number 8",
+    "rooms": NEEDS["rooms"],
+    "studies": "study --help",
+    "docx": NEEDS["docx"],
+    "gltf": "simulate --width-m 0.3 --depth-m 0.4 --height-m 1.5 --animate box.glb",
+    "web": "",
 }
 PYTHON = """
 import numpy as np
@@ -87,6 +100,11 @@ def main() -> None:
         for extra in sys.argv[1:]:
             if missing(extra):
                 sys.exit(f"the extra {extra} was asked for, and {missing(extra)} is not there")
+            if WORKS[extra]:
+                said = run(folder, *WORKS[extra].split())
+                require(said.returncode == 0, f"with {extra}: {WORKS[extra]}", said)
+            else:
+                from shaketable.web import app  # noqa: F401  all that the server imports
         absent = [extra for extra in NEEDS if missing(extra)]
         for extra in absent:
             said = run(folder, *NEEDS[extra].split())

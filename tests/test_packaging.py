@@ -1,4 +1,4 @@
-"""What is published says the same everywhere: version, dependencies, licence, citation."""
+"""What is published says the same everywhere: version, dependencies, licences."""
 
 from __future__ import annotations
 
@@ -42,7 +42,10 @@ def test_the_conda_recipe_has_the_dependencies_of_the_project() -> None:
         name, rest = re.match(r"([\w-]+)(.*)", one).groups()  # type: ignore[union-attr]
         wanted.add(OTHER_NAMES.get(name, name) + rest)
     assert told == wanted
-    assert f"license: {project()['license']}" in recipe
+    licence = str(project()["license"])
+    assert f"  license: {licence}\n" in recipe
+    cited = (ROOT / "CITATION.cff").read_text("utf-8")
+    assert f"license: [{licence.replace(' AND ', ', ')}]\n" in cited
 
 
 def test_the_paper_is_as_long_as_its_journal_takes() -> None:

@@ -1,10 +1,10 @@
 """
-Housner's rocking period and velocity
-=====================================
+Housner's rocking period
+========================
 
-Housner (1963) found the period of a slender block that rocks freely, and how much of the angular
-velocity an impact leaves. The block is released here at a part of its slenderness angle;
-simulated times between impacts are compared with his formula.
+Housner (1963) found the quarter period of a slender block that rocks freely. The block is released
+here at a part of its slenderness angle; the simulated time to the first impact is compared with his
+formula.
 """
 
 import matplotlib.pyplot as plt

@@ -9,6 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from shaketable import Body, General, Outcome, Surroundings, Wall, simulate_many, suite
+from shaketable.resampling import wilson_interval
 
 shelf = Body.rectangle(0.32, 1.80, name="bookcase")
 model = General(static_friction=0.5)
@@ -25,7 +26,9 @@ alone = share(None)
 beside = [
     share(Surroundings(walls=(Wall(gap=gap, friction=0.3, restitution=0.3),))) for gap in gaps
 ]
-print(f"alone {alone:.0f} %, 5 mm from the wall {beside[0]:.0f} %, 200 mm {beside[-1]:.0f} %")
+for name, found in (("alone", alone), ("at 5 mm", beside[0]), ("at 200 mm", beside[-1])):
+    low, high = wilson_interval(found / 100, 8)  # 16 components of 8 recordings
+    print(f"{name}: {found:.0f} % ({100 * low:.0f} to {100 * high:.0f})")
 
 figure, ax = plt.subplots()
 ax.semilogx(1000 * np.array(gaps), beside, "o-", label="beside a wall")

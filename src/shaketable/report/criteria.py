@@ -142,12 +142,17 @@ def _bottom(
     then = (
         f"If these are peaks of a floor of a building, believe Kaneko & Hayashi's {floor} instead: "
         "the verdicts above were made for ground motions, and eq. 9 of Cimellaro et al. knows "
-        "neither the size nor the velocity. Only simulations tell which way and how far: "
-        "shaketable assess, shaketable tilt."
+        "neither the size nor the velocity."
+    )
+    plane = (
+        "All of this is for a rectangle that is shaken in one plane. Do not believe it of what is "
+        "round, nearly square or on feet, which falls more often in three dimensions: shaketable "
+        "assess and shaketable tilt simulate that, and tell which way and how far."
     )
     if not rule.beyond:
         other = "agree" if known.overturns == rule.overturns else "differ, as they are no chance"
         return [
+            plane,
             f"By the fitted rule it {rule.sentence}. Believe that chance if these are peaks of the "
             "ground: of all numbers above it alone takes size, eccentricity, acceleration and "
             "velocity together, and it was checked on recordings that it was not fitted to. "
@@ -158,6 +163,7 @@ def _bottom(
     if known.beyond:
         return ["No criterion was made for such a body: believe none of them, and simulate it."]
     return [
+        plane,
         f"By Boroschek & Romo's conditions it {known.sentence}. Believe them if these are peaks of "
         f"the ground: the fitted rule lies outside of its range here ({rule.beyond}). They hardly "
         "ever overlook a fall, and call in danger much that stands.",
