@@ -68,15 +68,15 @@ def assess(
     target_spectrum: TargetSpectrum = None,
     tilt_deg: Annotated[
         float,
-        typer.Option(help="Tilt of what everything stands on now, toward the front [degrees]."),
+        typer.Option(help="Present tilt of all supports, toward the front [degrees]."),
     ] = 0.0,
     downhill_share: DownhillShare = CONTROL,
     planar: Annotated[
         bool,
         typer.Option(
             "--planar",
-            help="In one plane alone, the researcher's way: one component at a time, with tilts, "
-            "bases and frictions, and without the third dimension.",
+            help="Simulate in one plane, one component at a time, with tilts, bases and "
+            "frictions; for research.",
         ),
     ] = False,
     profile: Annotated[
@@ -97,7 +97,7 @@ def assess(
     ] = None,
     advise: Annotated[
         int,
-        typer.Option(min=0, help="For how many kinds of object measures are simulated."),
+        typer.Option(min=0, help="Number of kinds of object for which measures are simulated."),
     ] = LEADING,
     contact_options: ContactOptions,
     rolling_resistance: Annotated[
@@ -109,15 +109,15 @@ def assess(
     weights: Annotated[
         str | None,
         typer.Option(
-            help="What adds to an object's priority of 1, which its share of falls is multiplied "
-            "by. [critical=1,blocks_exit=3,people_nearby=3,must_not_fall=3]"
+            help="Weights that add to an object's priority of 1; objects are ranked by share "
+            "of falls × priority. [critical=1,blocks_exit=3,people_nearby=3,must_not_fall=3]"
         ),
     ] = None,
     hazard: Annotated[
         Path | None,
         typer.Option(
-            help="Hazard curve of the ground at the site: tells also once in how many years each "
-            "object falls; see `shaketable hazard`."
+            help="Hazard curve of the site: also gives each object's return period; see "
+            "`shaketable hazard`."
         ),
     ] = None,
     site: Site = None,
@@ -125,8 +125,7 @@ def assess(
         bool,
         typer.Option(
             "--uncertainty",
-            help="Tell also the probability that objects like these fall, whose sizes, contents "
-            "and supports are not known exactly.",
+            help="Also estimate the probability for objects of uncertain sizes and supports.",
         ),
     ] = False,
     list_options: ListOptions,
@@ -146,7 +145,7 @@ def assess(
     out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("assessment"),
     overwrite: Overwrite = False,
 ) -> None:
-    """What falls in a room or a building, which way, and what to do.
+    """Simulate a list of objects under recorded earthquakes: what falls, which way, what to do.
 
     Every object whose depth and width are known is shaken in three dimensions, by both horizontal
     components at once, on the floor on which it stands; what would help is tried in the same way on

@@ -66,7 +66,7 @@ def calibrate(
     seed: Annotated[int, typer.Option(min=0, help="Seed of ensemble, folds, bootstrap.")] = 0,
     overwrite: Overwrite = False,
 ) -> None:
-    """A body's parameters from its shake-table tests, and the probability that it falls in others.
+    """Estimate a body's parameters from its shake-table tests, and predict other tests.
 
     Rocking is chaotic: one simulation of one body says little. An ensemble of bodies is weighed by
     how well each explains the tests; it gives probabilities for other motions, and tells by

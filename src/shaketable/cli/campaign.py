@@ -47,7 +47,8 @@ def run(
     ] = None,
     device: Annotated[str, typer.Option(help="cpu, or cuda: a GPU by NVIDIA.")] = "cpu",
     fresh: Annotated[
-        bool, typer.Option("--fresh", help="Begin anew, whatever campaign the store holds.")
+        bool,
+        typer.Option("--fresh", help="Start again and discard the campaign that the store holds."),
     ] = False,
     dry_run: Annotated[
         bool,
@@ -57,7 +58,7 @@ def run(
         ),
     ] = False,
 ) -> None:
-    """Run a campaign, or go on with one.
+    """Run a campaign, or resume one.
 
     Without --scheduler or --workers it runs in this process, on all cores. What is done is in the
     store, and is not done again: after Ctrl-C, a crash or a full disk the same command goes on.
@@ -96,7 +97,7 @@ def run(
 
 @campaign.command(epilog=epilog("campaign"))
 def status(store: Store) -> None:
-    """How far a campaign is."""
+    """Show how far a campaign is."""
     _tell_status(store)
 
 

@@ -52,7 +52,7 @@ def criteria(
     reading: ReadingOptions,
     as_json: Annotated[bool, typer.Option("--json", help="Print one JSON object.")] = False,
 ) -> None:
-    """What simple published criteria say about an object.
+    """Evaluate published overturning criteria for one object and two peaks of a motion.
 
     A margin is the limit over the demand; above 1 the criterion says that the object stands. For
     records with a permanent displacement, the velocity is that of the corrected record.

@@ -59,8 +59,8 @@ def fragility(
     scales: Annotated[
         str | None,
         typer.Option(
-            help="Factors on the motions of a cloud, with commas. [from where hardly anything "
-            "happens to where everything does]"
+            help="Scale factors of a cloud, with commas. [chosen so that nearly none to "
+            "nearly all reach the state]"
         ),
     ] = None,
     levels: Annotated[
@@ -84,8 +84,8 @@ def fragility(
         float,
         typer.Option(
             min=0.0,
-            help="For what is not known of the objects: β becomes √(β² + this²). FEMA P-58 has "
-            "0.5 in all for furniture.",
+            help="Dispersion of the objects: β becomes √(β² + this²). FEMA P-58 has 0.5 in "
+            "all for furniture.",
         ),
     ] = 0.0,
     tilt_deg: TiltDeg = 0.0,
@@ -97,7 +97,7 @@ def fragility(
     seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")] = 0,
     overwrite: Overwrite = False,
 ) -> None:
-    """The probability that objects fall, as functions for loss tools.
+    """Fit fragility functions of objects, for loss models such as OpenQuake and pelicun.
 
     Lognormal fragility functions by maximum likelihood, with intervals over earthquakes, and which
     intensity measure tells most of the first object.

@@ -33,7 +33,7 @@ Measure = Annotated[
     str | None, typer.Option(help="PGA, PGV, SA(1.0): where the curve's file has several.")
 ]
 CurveUnits = Annotated[
-    str | None, typer.Option(help="Unit of the curve's levels, where its file does not say it.")
+    str | None, typer.Option(help="Unit of the curve's levels, where its file does not state it.")
 ]
 Site = Annotated[
     str | None,
@@ -52,20 +52,20 @@ def hazard(
     exposure_years: Annotated[
         float | None,
         typer.Option(
-            help="Years in which the probabilities of a table of two columns are, where its "
-            "header does not say it."
+            help="Exposure time [years] of the probabilities of a table, where its header "
+            "does not state it."
         ),
     ] = None,
     one_component: Annotated[
         bool,
         typer.Option(
             "--one-component",
-            help="The curve is of any one horizontal component, not of the geometric mean of both, "
-            "as ground-motion models tell it.",
+            help="The curve is of an arbitrary component, not of the geometric mean of both "
+            "components.",
         ),
     ] = False,
     building: Buildings = None,
-    years: Annotated[float, typer.Option(help="For which probabilities are told.")] = 50.0,
+    years: Annotated[float, typer.Option(help="Years for which probabilities are given.")] = 50.0,
     motion_options: MotionOptions,
     list_options: ListOptions,
     tilt_deg: TiltDeg = 0.0,
@@ -73,7 +73,7 @@ def hazard(
     seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")] = 0,
     overwrite: Overwrite = False,
 ) -> None:
-    """How often a year objects fall at a site, from its hazard curve.
+    """Compute how often a year objects fall at a site, from its hazard curve.
 
     Each object's fragility function is integrated over the curve: once in how many years, how
     likely in fifty, from which shaking, and which object to restrain first.

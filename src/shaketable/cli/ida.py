@@ -21,11 +21,11 @@ def ida(
     body_options: BodyOptions,
     motion_options: MotionOptions,
     measure: Annotated[str, typer.Option(help="PGA, PGV, SA(1.0), AvgSA(1.0), ...")] = "PGV",
-    precision: Annotated[float, typer.Option(help="Relative, of the levels.")] = 0.01,
+    precision: Annotated[float, typer.Option(help="Relative precision of the levels.")] = 0.01,
     contact_options: ContactOptions,
     overwrite: Overwrite = False,
 ) -> None:
-    """The lowest level of each motion that overturns an object, and what it survives above.
+    """Run an incremental dynamic analysis: the lowest level of each motion that overturns it.
 
     An incremental dynamic analysis (Vamvatsikos and Cornell 2002) on a level support.
     """

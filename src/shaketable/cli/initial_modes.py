@@ -41,7 +41,7 @@ def initial_modes(
     upper_mass_kg: Annotated[float | None, typer.Option(help="Its mass [kg].")] = None,
     out: Annotated[Path, typer.Option(help="Picture to write.")] = Path("modes.png"),
 ) -> None:
-    """How an object begins to move: it rests, slides, rocks or does both.
+    """Find how an object at rest begins to move: it slides, rocks or does both.
 
     Borders are by Shenton (1996), for an object off centre by Boroschek and Romo (2004), with
     points simulated by the general model over them; level support, no vertical motion. Of a stack

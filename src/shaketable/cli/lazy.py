@@ -26,11 +26,11 @@ SUMMARIES = {
     "scenario": "What falls in a given magnitude, or a ShakeMap.",
     "ida": "The lowest level of each motion that overturns it.",
     "overturning-spectrum": "What pulses of all frequencies do to a body.",
-    "records": "What record files hold, as a table.",
+    "records": "List what record files hold, with intensity measures.",
     "select-motions": "Recorded motions whose spectra are an earthquake's.",
     "template": "An empty inventory, or table of tests, explained.",
     "serve": "The page for others, or at an address of its own.",
-    "suites": "The suites of motions that come with the package.",
+    "suites": "List the suites of motions that come with the package.",
     "study": "A published study, done again with your motions.",
     "campaign": "Very many simulations, resumable, on many machines.",
 }

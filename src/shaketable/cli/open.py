@@ -19,7 +19,7 @@ EVERY = 0.1  # s between two tries
 
 def open(  # noqa: A001  # the name of the command
     port: Annotated[
-        int, typer.Option(min=0, max=65535, help="Where to listen; 0: any port that is free.")
+        int, typer.Option(min=0, max=65535, help="Port to listen at; 0 takes any free port.")
     ] = 0,
 ) -> None:
     """Open the page in the browser: one thing, a list or a room. Nothing leaves this machine.

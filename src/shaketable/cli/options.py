@@ -50,7 +50,7 @@ Overwrite = Annotated[
     bool, typer.Option("--overwrite", help="Replace the results in an existing folder.")
 ]
 LanguageName = Annotated[
-    str, typer.Option(help="Of the report and of most of what is told here: en, es or de.")
+    str, typer.Option(help="Language of the report and of most messages: en, es or de.")
 ]
 Scale = Annotated[float, typer.Option(help="Factor on the motions.")]
 TiltDeg = Annotated[
@@ -117,12 +117,15 @@ ModelOfShape = Annotated[
     ModelWord | None,
     typer.Option(
         "--model",
-        help="rocking: no sliding, no jump; general: both of them. "
+        help="rocking: neither slides nor jumps; general: slides and jumps, too. "
         "[rocking, or in three dimensions general]",
     ),
 ]
 ModelName = Annotated[
-    ModelWord, typer.Option("--model", help="rocking: no sliding, no jump; general: both of them.")
+    ModelWord,
+    typer.Option(
+        "--model", help="rocking: neither slides nor jumps; general: slides and jumps, too."
+    ),
 ]
 StaticFriction = Annotated[
     float | None,
@@ -220,14 +223,16 @@ class ListOptions:
 
     accept_sizes: Annotated[
         bool,
-        typer.Option("--accept-sizes", help="Accept objects smaller or larger than furniture."),
+        typer.Option(
+            "--accept-sizes", help="Accept sizes smaller or larger than those of furniture."
+        ),
     ] = False
     catalogue: Annotated[
         bool,
         typer.Option(
             "--catalogue",
-            help="Take sizes that are left out from the catalogue of common things, by their "
-            "names: of what is usual, what tips most easily.",
+            help="Take missing sizes from the catalogue of common things, by name: the ones "
+            "that tip most easily.",
         ),
     ] = False
 

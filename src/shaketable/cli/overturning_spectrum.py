@@ -51,7 +51,7 @@ def overturning_spectrum(
     reading: ReadingOptions,
     overwrite: Overwrite = False,
 ) -> None:  # fmt: skip
-    """What pulses of all frequencies and amplitudes do to a body; or the rocking spectrum.
+    """Compute the overturning spectrum of a body under pulses, or a record's rocking spectrum.
 
     With --record it tells the largest rotation of blocks of all sizes under that record.
     """

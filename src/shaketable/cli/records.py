@@ -32,7 +32,7 @@ def records(
     ] = None,
     reading: ReadingOptions,
 ) -> None:
-    """What record files hold, as a table.
+    """List what record files hold, with intensity measures.
 
     With --out, a CSV file and a picture of each component are written.
 

@@ -29,7 +29,7 @@ from shaketable.units import degrees
 room = typer.Typer(
     no_args_is_help=True,
     epilog=epilog("room"),
-    help="What falls where in a room, whom it hits, and whether the ways out stay free.",
+    help="Simulate all objects of a room: what falls where, whom it hits, which ways out close.",
 )
 
 File = Annotated[
@@ -45,7 +45,7 @@ def check(
         Path | None, typer.Option(help="Picture of the plan, with its faults. [FILE.png]")
     ] = None,
 ) -> None:
-    """Draw the plan of a room, with all that is wrong with it."""
+    """Draw the plan of a room and mark its faults."""
     require("rooms", "shaketable room")
     from shaketable.drawing.files import require_picture, save
     from shaketable.inventory import read_inventory
@@ -81,7 +81,7 @@ def assess(
     out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("room"),
     overwrite: Overwrite = False,
 ) -> None:
-    """Shake a room: what falls where, whom it hits, and which ways out stay free.
+    """Simulate a room: what falls where, whom it hits, and which ways out close.
 
     One motion shakes all things together, each beside the walls that it may touch.
     """
@@ -111,7 +111,7 @@ def design(
     out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("room-design"),
     overwrite: Overwrite = False,
 ) -> None:
-    """Assess a room, try every single change of it, and tell which saves most, and the best pair.
+    """Try every single change of a room and the best pairs, and rank them by what they prevent.
 
     Each thing is strapped, locked, put on pads, made lower, turned, and moved by half a metre.
     """
@@ -164,10 +164,14 @@ def survey(
     earthquake: RoomEarthquakeOptions,
     contact_options: ContactOptions,
     closed: Annotated[
-        float, typer.Option(help="Name rooms whose way out closes in more than so many of 100.")
+        float,
+        typer.Option(
+            help="List rooms whose way out closes in more than this many of 100 shakings."
+        ),
     ] = 10.0,
     pages: Annotated[
-        int, typer.Option(min=0, help="So many rooms have a page of their own, the worst first.")
+        int,
+        typer.Option(min=0, help="Number of rooms that get a page of their own, the worst first."),
     ] = 20,
     store: Annotated[
         str | None,
@@ -183,13 +187,13 @@ def survey(
         ),
     ] = None,
     fresh: Annotated[
-        bool, typer.Option("--fresh", help="Begin anew, whatever the store holds.")
+        bool, typer.Option("--fresh", help="Start again and discard what the store holds.")
     ] = False,
     language: LanguageName = "en",
     out: Annotated[Path, typer.Option(help="Folder for the results.")] = Path("room-survey"),
     overwrite: Overwrite = False,
 ) -> None:
-    """Shake many rooms, each on its floor: in which the way out closes, and where people are hit.
+    """Simulate many rooms, each on its floor, and rank them by closed ways out and people hit.
 
     With --store what is done is kept, and --scheduler shares the rooms out among the workers of a
     cluster.
@@ -265,7 +269,7 @@ def film(
         Path, typer.Option(help="Film, .gif or .mp4, or .glb: a scene for viewers.")
     ] = Path("room.gif"),
 ) -> None:
-    """Show one shaking of a room: in perspective and from above, or as a scene.
+    """Write a film of one shaking of a room, in perspective and from above, or a scene.
 
     Where north is not known the first component of a motion that is named goes along +x.
     """

@@ -37,8 +37,7 @@ Floor = Annotated[str | None, typer.Option(help="Label of its floor in it. [that
 InventoryFile = Annotated[
     Path | None,
     typer.Option(
-        help="List with things of rooms: rows whose location is a room's name, with x_m and y_m in "
-        "its plan."
+        help="List of objects with x_m and y_m; rows whose location is the room's name are used."
     ),
 ]
 ELSEWHERE = {

@@ -80,7 +80,7 @@ def scenario(
     seed: Annotated[int, typer.Option(min=0, help="Seed of the motions and of the bootstrap.")] = 0,
     overwrite: Overwrite = False,
 ) -> None:
-    """What falls in a magnitude 7 at 20 km, or in an earthquake whose map of shaking is known.
+    """Estimate what falls in an earthquake of a magnitude and distance, or of a ShakeMap.
 
     Motions of the earthquake are simulated, as `assess` does it, and fragility functions from
     recorded motions (--motions) tell the same without simulating it; the report has both, side by

@@ -53,7 +53,7 @@ def select_motions(
     seed: Annotated[int, typer.Option(min=0, help="Seed of the drawn spectra.")] = 0,
     overwrite: Overwrite = False,
 ) -> None:
-    """Recorded motions whose spectra are those of an earthquake.
+    """Select recorded motions whose spectra match those of an earthquake.
 
     With --period-s and --level (or --epsilon) their spectra are those that the earthquake has where
     its acceleration at that period is that high: the conditional spectrum. The selection.csv that

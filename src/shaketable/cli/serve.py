@@ -14,17 +14,19 @@ from shaketable.extras import require
 
 def serve(
     port: Annotated[
-        int, typer.Option(min=0, max=65535, help="Where to listen; 0: any port that is free.")
+        int, typer.Option(min=0, max=65535, help="Port to listen at; 0 takes any free port.")
     ] = 8000,
     host: Annotated[
         str,
-        typer.Option(help="Address to listen at; 0.0.0.0 lets other machines in, without any key."),
+        typer.Option(
+            help="Address to listen at; 0.0.0.0 lets other machines in, without a password."
+        ),
     ] = "127.0.0.1",
     workers: Annotated[
         int | None, typer.Option(min=1, max=256, help="Processes that compute. [all cores]")
     ] = None,
     root_path: Annotated[
-        str, typer.Option(help="Under which a proxy serves it, such as /shaketable.")
+        str, typer.Option(help="Path under which a proxy serves the page, such as /shaketable.")
     ] = "",
     name: Annotated[
         list[str] | None,
@@ -33,7 +35,7 @@ def serve(
         ),
     ] = None,
 ) -> None:
-    """A page in the browser to shake one thing: nothing leaves this machine.
+    """Serve the page to other machines, or at a port of your choice; Ctrl-C ends it.
 
     It ends with Ctrl-C.
     """

@@ -52,7 +52,7 @@ def simulate(
     ] = DEFAULT_MOTION,
     component: Annotated[
         str | None,
-        typer.Option(help="Which horizontal component of the record: code, azimuth, channel 3."),
+        typer.Option(help="Horizontal component of the record: a code, an azimuth, or channel 3."),
     ] = None,
     vertical: Annotated[
         str | None,
@@ -89,7 +89,7 @@ def simulate(
         ),
     ] = None,
 ) -> None:
-    """One object under one recorded motion: a rectangle in a plane, a box or a cylinder."""
+    """Simulate one object under one motion: a rectangle in a plane, a box or a cylinder."""
     from shaketable import plot as pictures
 
     losses = Losses(rolling_friction_m, contour_friction_m, drilling_friction_m)

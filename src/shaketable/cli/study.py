@@ -36,7 +36,7 @@ study = typer.Typer(
     cls=InstalledStudies,
     no_args_is_help=True,
     epilog=study_epilog(),
-    help="A published study, done again with the motions at hand.",
+    help="Repeat a published study with the motions at hand.",
 )
 
 STUDY_SUITE = "fema-p695"

@@ -7,6 +7,6 @@ from shaketable.records import SUITES
 
 
 def suites() -> None:
-    """The suites of motions that come with the package."""
+    """List the suites of motions that come with the package."""
     for name, info in SUITES.items():
         say(f"{name:30}  {info.description}")

@@ -29,12 +29,13 @@ class SurroundingOptions:
         ),
     ] = None
     wall_friction: Annotated[
-        float | None, typer.Option(help="Of the object on the wall. [0.3]", show_default=False)
+        float | None,
+        typer.Option(help="Friction between the object and the wall. [0.3]", show_default=False),
     ] = None
     wall_restitution: Annotated[
         float | None,
         typer.Option(
-            help="Part of its speed with which the object leaves the wall, 0 to 1. [0, but with "
+            help="Restitution at the wall, 0 to 1. [0, but with "
             "the rocking model by Hogan's rule (1992): 0.41 of a bookcase]",
             show_default=False,
         ),

@@ -20,14 +20,15 @@ NEXT = (
 def template(
     out: Annotated[
         Path | None,
-        typer.Argument(help="Its name, ending in .csv or .xlsx. [inventory.csv, tests.csv]"),
+        typer.Argument(help="File to write, ending in .csv or .xlsx. [inventory.csv, tests.csv]"),
     ] = None,
     tests: Annotated[
         bool, typer.Option("--tests", help="A table of shake-table tests, for calibrate.")
     ] = False,
     xlsx: Annotated[bool, typer.Option("--xlsx", help="Write a spreadsheet, with menus.")] = False,
     language: Annotated[
-        str, typer.Option(help="Of headings, menus and explanations: en, es, de, it or ja.")
+        str,
+        typer.Option(help="Language of headings, menus and explanations: en, es, de, it or ja."),
     ] = "en",
     lengths: Annotated[str, typer.Option(help="Unit of lengths: cm, mm, m or in.")] = "cm",
     every: Annotated[
@@ -35,7 +36,7 @@ def template(
     ] = False,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file.")] = False,
 ) -> None:
-    """An empty inventory, or table of tests, with its columns explained.
+    """Write an empty inventory, or table of tests, with its columns explained.
 
     A spreadsheet has menus, and a sheet for the building: how many storeys, of what structure.
     """

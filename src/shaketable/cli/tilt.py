@@ -85,7 +85,7 @@ def tilt(
         Path | None, typer.Option(help="Write a picture, with --downhill-share.")
     ] = None,
 ) -> None:
-    """The tilt that chooses the side on which an object falls.
+    """Find the tilt of a support that sends an object's falls to one side.
 
     A tilted object falls more often; that is told as well.
 
