@@ -36,7 +36,7 @@ NEEDS = {
     "studies": "study boroschek-romo-2004 --out study",
     "docx": f"{ASSESS} --docx --out docx",
 }
-#: What is done where an extra is there; `web` and `cluster` begin what never ends, and are imported.
+#: What is done where an extra is there; the server of `web` never ends, and is only imported.
 WORKS = {
     "parquet": f"{ASSESS} --out parquet",
     "campaign": NEEDS["campaign"],
