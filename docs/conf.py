@@ -130,6 +130,9 @@ html_sidebars = {"index": []}
 # ref.python: a word in backticks that several classes have as an attribute is no link
 suppress_warnings = ["config.cache", "mystnb.unknown_mime_type", "ref.python"]
 
+if not RUN:  # the language of a notebook is known once it has run
+    suppress_warnings.append("myst-nb.lexer")
+
 write_api(DOCS / "reference")
 write_commands(DOCS / "reference")
 

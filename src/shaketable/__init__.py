@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from shaketable.assess import Assessment, assess
     from shaketable.body import Body
-    from shaketable.calibration import (  # type: ignore[no-redef]  # a function and its room
+    from shaketable.calibration import (  # type: ignore[no-redef]  # a function and its module
         Calibration,
         Prior,
         ShakeTest,
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     )
     from shaketable.campaign import open_campaign, run_campaign
     from shaketable.errors import InputError, SimulationError
-    from shaketable.fragility import (  # type: ignore[no-redef]  # a function and its room
+    from shaketable.fragility import (  # type: ignore[no-redef]  # a function and its module
         Fragility,
         fragility,
         ida,
@@ -58,7 +58,7 @@ if TYPE_CHECKING:
         spectrum_compatible,
     )
 
-#: What each room gives to the package: it is imported when it is first asked for.
+#: The public names of each module, which is imported when one of them is first used.
 _GIVEN = {
     "assess": ("Assessment", "assess"),
     "body": ("Body",),
@@ -99,7 +99,7 @@ _GIVEN = {
     "surroundings": ("Edge", "Pad", "Strap", "Surroundings", "Wall"),
     "synthesis": ("ShearBuilding", "floor_motions", "match_spectrum", "spectrum_compatible"),
 }
-_HOMES = {name: room for room, names in _GIVEN.items() for name in names}
+_HOMES = {name: module for module, names in _GIVEN.items() for name in names}
 
 __all__ = [
     "Assessment",
@@ -164,7 +164,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    """A public name, or a room, which is imported now, or the version, looked up now."""
+    """Import a public name or a module, or look up the version, when it is first used."""
     found: Any
     if name == "__version__":
         found = import_module("importlib.metadata").version(__name__)
@@ -183,7 +183,7 @@ def __dir__() -> list[str]:
 
 
 class _Package(ModuleType):
-    """Keeps `assess` the function that it is, once the room of that name has been imported."""
+    """Keep `assess` the function, also after the module of that name has been imported."""
 
     def __setattr__(self, name: str, value: object) -> None:
         if not (name in _HOMES and isinstance(value, ModuleType)):

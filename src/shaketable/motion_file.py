@@ -72,7 +72,7 @@ def in_temporary_file(motions: Iterable[Motion]) -> MotionFile:
 
     Raises:
         InputError: something that is not a motion.
-        SimulationError: there is no room.
+        SimulationError: the disk is full.
     """
     file = tempfile.SpooledTemporaryFile(IN_MEMORY)  # noqa: SIM115  it is read later
     try:

@@ -23,7 +23,7 @@ def disk_of(objects: Objects) -> Iterator[None]:
     """Faults of a store's disk, told with its place.
 
     Raises:
-        SimulationError: there is no room.
+        SimulationError: the disk is full.
     """
     try:
         yield

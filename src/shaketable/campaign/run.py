@@ -79,7 +79,7 @@ def run_campaign(
     Raises:
         InputError: what `simulate_many` says, but for a body that falls by itself; a store that
             holds something else, a campaign with other inputs, code or versions, or one that
-            another process writes; too little room.
+            another process writes; too little disk space.
         SimulationError: some blocks failed, for example as a body cannot stand on a tilt, and the
             others are done; another process took the lock; or the disk is full.
     """

@@ -1,6 +1,6 @@
 """What a drawing asks of the object that it shows, and how it writes names.
 
-The objects themselves are defined in rooms above this one.
+The objects themselves are defined in packages above this one.
 """
 
 from __future__ import annotations

@@ -58,7 +58,7 @@ class Trace(NamedTuple):
 
 
 class Scratch(NamedTuple):
-    """Where one body's run is written, and room for the series of its phases."""
+    """The arrays into which one body's run and the series of its phases are written."""
 
     trace: Trace
     log: Log
@@ -163,7 +163,7 @@ def move_one(
         shaking: the motion.
         row: the numbers of a ContactBody.
         initial_rotation: θ [rad].
-        scratch, summary: room for them.
+        scratch, summary: arrays that are written.
     """
     body = read_body(row, 0, BODY)
     pose = let_go(body, shaking, initial_rotation)

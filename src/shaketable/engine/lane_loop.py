@@ -94,7 +94,7 @@ def run_lanes(
     Args:
         batch: the bodies; the results are written there.
         shaking, demands: the motion, and what `demands_of` gives for it.
-        scratch: room that the model's functions use again and again.
+        scratch: working memory of the model's functions.
         fields: numbers of a slot, ROCKING_FIELDS or STICKING_FIELDS; a constant of the caller.
         begin: (batch, row, shaking, demands, scratch) takes a body ahead from its initial rest,
             until it enters the lanes.

@@ -25,7 +25,7 @@ from shaketable.engine.rocking_one import History, rock_free
 from shaketable.physics.plane.forcing import Shaking
 from shaketable.physics.plane.rocking import AT_REST, State
 
-Times = NDArray[np.float64]  # room for the times of impacts: none
+Times = NDArray[np.float64]  # an empty array of times of impacts
 
 
 @routine

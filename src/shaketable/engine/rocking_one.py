@@ -125,7 +125,7 @@ def rock_one(
         shaking: the motion.
         row: the numbers of a Block.
         initial_rotation: θ [rad].
-        history, summary: room for them.
+        history, summary: arrays that are written.
     """
     block = read_block(row, 0, BLOCK)
     state = released(block, initial_rotation)

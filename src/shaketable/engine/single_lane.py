@@ -52,7 +52,7 @@ def run_lane(
         batch, row: the body; its results are written there.
         shaking, demands, scratch, begin, resolve, finish: as for `run_lanes`.
         body: what `short_ways` needs of it.
-        no_times: room for the times of impacts: none.
+        no_times: an empty array of times of impacts.
         short_ways: (passage, body, shaking, interval, times) takes a body that rocks through an
             interval without an event or with one plain impact; also returns if it was so.
     """

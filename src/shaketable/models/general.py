@@ -33,7 +33,7 @@ from shaketable.units import degrees
 if TYPE_CHECKING:
     from shaketable.physics.plane.forcing import Shaking
 
-EVENTS = 64  # room for impacts and changes of phase at first
+EVENTS = 64  # impacts and changes of phase for which memory is allocated at first
 
 
 @dataclass(frozen=True, kw_only=True)

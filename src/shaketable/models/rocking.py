@@ -30,7 +30,7 @@ from shaketable.surroundings import Surroundings
 if TYPE_CHECKING:
     from shaketable.physics.plane.forcing import Shaking
 
-IMPACTS = 64  # room for impacts at first
+IMPACTS = 64  # impacts for which memory is allocated at first
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 MARGIN = 1e-9  # m: of what counts as near
 FLIGHT = 1.0  # m: and of a body that flew, with ten times its clearance
-EVENTS = 64  # room for impacts and changes of phase at first
+EVENTS = 64  # impacts and changes of phase for which memory is allocated at first
 
 
 class Friction(NamedTuple):

@@ -83,7 +83,7 @@ def cached(
 
 
 class _Warnings(logging.Handler):
-    """Notes the warnings of this room."""
+    """Collects the warnings of this package."""
 
     def __init__(self) -> None:
         super().__init__(logging.WARNING)
@@ -152,7 +152,7 @@ def _store(path: Path, key: str, build: Callable[[], Iterable[Motion]]) -> IO[by
     """Write what `build` makes; returns the file.
 
     Raises:
-        OSError: there is no room.
+        OSError: the disk is full.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     handle, name = tempfile.mkstemp(dir=path.parent, suffix=path.suffix)

@@ -1,7 +1,7 @@
 """The motions that come with the package: those of FEMA P-695, in the folder fema_p695.
 
 Its README says where they are from. Their samples are decimal numbers of six or seven digits, kept
-as digits and places, in a third of the room of floating-point numbers.
+as digits and places, in a third of the space of floating-point numbers.
 """
 
 from __future__ import annotations

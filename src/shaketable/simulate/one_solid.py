@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-FREE_SAMPLES = 500  # room after the motion's end at first
+FREE_SAMPLES = 500  # allocated at first for the time after the motion's end
 
 
 def simulate_solid(

@@ -86,7 +86,7 @@ def cross_phases(
 ) -> ContactPassage:
     """Take a body through an interval of the motion.
 
-    What happens is written to `log`; `table` is room for the series of a phase.
+    What happens is written to `log`; `table` is an array for the series of a phase.
     """
     pose, extremes = passage
     i, start, polarity = interval

@@ -24,8 +24,8 @@ def move_solid(
         stands: the numbers of a RunSetup for each run, (n, 5).
         as_is: whether it begins in the state that the workspace holds, which may be any above the
             support, rather than at rest on its base.
-        trace: room for the history of the last run, which may have no samples.
-        found: room for the numbers of a RunSummary for each run, (n, ...).
+        trace: array for the history of the last run; may have no samples.
+        found: array for the numbers of a RunSummary of each run, (n, ...).
     """
     shape, work = shapes[0], workspaces[0]
     for k in range(stands.shape[0]):

@@ -360,8 +360,8 @@ def move_surrounded(
         rotation: at which they are let go [rad].
         as_is: whether they begin in the state that the workspace holds, which may be any above the
             support, rather than so.
-        trace: room for the history of the last one, which may have no samples.
-        found: room for what was found, (n, SUMMARY + 2 straps).
+        trace: array for the history of the last one; may have no samples.
+        found: array for the results, (n, SUMMARY + 2 straps).
     """
     for k in range(scenes.shape[0]):
         if not as_is:
