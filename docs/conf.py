@@ -30,7 +30,6 @@ language = "en"
 
 extensions = [
     "sphinx.ext.autodoc",
-    "sphinx.ext.autosummary",
     "sphinx.ext.napoleon",
     "sphinx_copybutton",
     "sphinx_design",
@@ -38,7 +37,6 @@ extensions = [
     "myst_nb",
 ]
 exclude_patterns = ["_build", "gallery/**", "gallery_of_examples/**.ipynb"]
-templates_path = ["_templates"]
 source_suffix = {".rst": "restructuredtext", ".md": "myst-nb"}
 
 # pages
@@ -61,7 +59,6 @@ python_maximum_signature_line_length = 88
 napoleon_google_docstring = True
 napoleon_numpy_docstring = False
 napoleon_use_ivar = True
-autosummary_generate = False  # the pages are made by generated.py
 
 # gallery
 SHOWN: WeakSet[Any] = WeakSet()  # figures: a value stays at hand in the blocks after its own

@@ -18,7 +18,7 @@ import traceback
 from collections import Counter
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
 from pathlib import Path
 from typing import NamedTuple
@@ -155,11 +155,10 @@ def _run(command: Command, folder: Path, place: str) -> None:
     process = _begin(_words(command, folder, place), folder)
     try:
         code = process.wait(LONGEST)
-    except (
-        subprocess.TimeoutExpired
-    ):  # where it hangs: faulthandler prints the stack of each thread
-        for number in _processes(process.pid):
-            os.kill(number, signal.SIGABRT)
+    except subprocess.TimeoutExpired:
+        for number in _processes(process.pid):  # faulthandler prints the stack of each thread
+            with suppress(ProcessLookupError):  # it has just ended
+                os.kill(number, signal.SIGABRT)
         process.wait()
         raise AssertionError(f"not done after {LONGEST:.0f} s: {_said(folder, STACKS)}") from None
     assert code == 0, f"exit {code}: {_said(folder)}"

@@ -35,7 +35,7 @@ def serve(
         ),
     ] = None,
 ) -> None:
-    """Serve the page to other machines, or at a port of your choice; Ctrl-C ends it.
+    """Serve the page on this machine, or to others by --host; Ctrl-C ends it.
 
     It ends with Ctrl-C.
     """
