@@ -34,7 +34,7 @@ TOWER = [
     {"records", "signal", "synthesis"},
     {"compile_ahead", "criteria"},
     {"building", "calibration", "fragility", "hazard", "inventory", "risk", "tilting"},
-    {"assess", "modes", "study"},
+    {"assess", "library", "modes", "study"},
     {"rooms"},
     {"campaign"},
     {"report", "plot", "web"},

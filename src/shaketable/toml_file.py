@@ -208,6 +208,14 @@ class TomlTable:
             return None
         return float(value)
 
+    def values(self, key: str, default: Sequence[Any]) -> list[Any]:
+        """A list with at least one entry."""
+        value = self.table.get(key, [*default])
+        if not isinstance(value, list) or not value:
+            self.fault(key, tell("expected a list, found {value!r}", value=value))
+            return [*default]
+        return value
+
     def word(self, key: str, kinds: type[E], default: E | None) -> E | None:
         """One of some words; None if it is none of them."""
         value = self.table.get(key, default)

@@ -71,10 +71,14 @@ from shaketable.campaign.bodies import (
     standing,
 )
 from shaketable.campaign.fingerprint import motion_hash
+from shaketable.campaign.libraries import Libraries
 from shaketable.campaign.plan import ALL, SUMMARY, Plan
 from shaketable.campaign.simulations import Simulations
 from shaketable.errors import InputError, named, quoted, refused
 from shaketable.inputs import read_file
+from shaketable.lazy_motions import heads_of
+from shaketable.library.read import SECTION as LIBRARY
+from shaketable.library.read import read_library
 from shaketable.models import NAMES, Model
 from shaketable.motion import Motion
 from shaketable.motion_file import in_temporary_file
@@ -107,8 +111,8 @@ SECTIONS = {
 
 def read_campaign(
     path: str | Path, *, device: str = CPU, progress: Progress = False
-) -> Simulations | Assessments:
-    """What a TOML file describes: simulations, or the assessment of an inventory.
+) -> Simulations | Assessments | Libraries:
+    """What a TOML file describes: simulations, the assessment of an inventory, or a library.
 
     Args:
         path: of the file.
@@ -119,6 +123,8 @@ def read_campaign(
         InputError: lists what is wrong, with the line and the key.
     """
     told = TomlFile(Path(path))
+    if told.has(LIBRARY):
+        return _library(told, device, progress)
     told.accept(SECTIONS)
     bodies, held = bodies_of(told)
     solid = are_solids(bodies)
@@ -195,6 +201,21 @@ def read_campaign(
     except InputError as error:
         raise refused(path, f"{error}") from None
     return Simulations(plan)
+
+
+def _library(told: TomlFile, device: str, progress: Progress) -> Libraries:
+    """The library that a file describes."""
+    library = read_library(told)
+    motions = _motions(told, True, progress)
+    told.require()
+    if device != CPU:
+        raise refused(told.path, "a library is made on the CPU; leave the device")
+    alone = [head.name for head in heads_of(motions) if not head.has_transverse]
+    if alone:
+        raise refused(
+            told.path, f"motions.of: things need both components; one alone: {named(alone, 3)}"
+        )
+    return Libraries(library=library, motions=motions)
 
 
 def _names(told: TomlFile) -> str:

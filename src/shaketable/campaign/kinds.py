@@ -6,6 +6,7 @@ import platform
 from typing import TYPE_CHECKING, Any
 
 from shaketable.campaign.assessments import Assessments
+from shaketable.campaign.libraries import Libraries
 from shaketable.campaign.motions import StoredMotions, save_motions
 from shaketable.campaign.objects import Objects
 from shaketable.campaign.simulations import Simulations
@@ -21,7 +22,9 @@ FORMAT = 4
 ROOMS = "rooms"  # whose module needs the extra of that name
 
 
-def kind_of(name: str) -> type[Simulations] | type[Assessments] | type[Rooms]:
+def kind_of(
+    name: str,
+) -> type[Simulations] | type[Assessments] | type[Libraries] | type[Rooms]:
     """The kind of work that a plan names.
 
     Raises:
@@ -32,7 +35,7 @@ def kind_of(name: str) -> type[Simulations] | type[Assessments] | type[Rooms]:
         from shaketable.campaign.rooms import Rooms
 
         return Rooms
-    return {kind.kind: kind for kind in (Simulations, Assessments)}[name]
+    return {kind.kind: kind for kind in (Simulations, Assessments, Libraries)}[name]
 
 
 def save(work: Work, made: dict[str, Any], objects: Objects) -> None:
@@ -52,7 +55,7 @@ def save(work: Work, made: dict[str, Any], objects: Objects) -> None:
 
 def load(
     objects: Objects, told: dict[str, Any], *, check: bool = True
-) -> Simulations | Assessments | Rooms:
+) -> Simulations | Assessments | Libraries | Rooms:
     """The work that a store holds. Its motions are read, and looked at, as they are needed.
 
     Args:
@@ -73,7 +76,9 @@ def load(
         ) from None
 
 
-def work_of(objects: Objects, *, check: bool = True) -> Simulations | Assessments | Rooms:
+def work_of(
+    objects: Objects, *, check: bool = True
+) -> Simulations | Assessments | Libraries | Rooms:
     """The work of a store; `check` as for `load`.
 
     Raises:

@@ -17,6 +17,7 @@ from shaketable.report.run_log import RunLog
 
 if TYPE_CHECKING:
     from shaketable.campaign.assessments import Assessments
+    from shaketable.campaign.libraries import Libraries
     from shaketable.campaign.objects import Objects
     from shaketable.campaign.plan import Plan
     from shaketable.campaign.simulations import Simulations
@@ -109,10 +110,12 @@ def collect(
 ) -> None:
     """Write counts of falls, directions and intervals by object, as CSV and Parquet.
 
-    For a campaign with report = true, write the same report and tables as `shaketable assess`.
+    For a campaign with report = true, write the same report and tables as `shaketable assess`. For
+    a library, fit its fragility functions and write them for OpenQuake, pelicun and a browser.
     """
     from shaketable.campaign.assessments import Assessments
     from shaketable.campaign.kinds import work_of
+    from shaketable.campaign.libraries import Libraries
     from shaketable.campaign.objects import Objects
     from shaketable.campaign.results import simulations_of
     from shaketable.report.results_folder import require_folder
@@ -123,6 +126,8 @@ def collect(
     require_folder(out, overwrite, run_log)
     if isinstance(work, Assessments):
         _write_report(work, objects, run_log, out, overwrite)
+    elif isinstance(work, Libraries):
+        _write_library(work, objects, run_log, out, overwrite)
     else:
         _write_falls(simulations_of(objects), objects, run_log, out, overwrite)
 
@@ -184,6 +189,38 @@ def _write_report(
     write_results(found, run, out, overwrite=overwrite)
     print_assessment(found, Console(), out, work.motions_told)
     say(f"report: {out / 'report.html'}")
+
+
+def _write_library(
+    work: Libraries, objects: Objects, run_log: RunLog, out: Path, overwrite: bool
+) -> None:
+    """The functions of a library."""
+    from shaketable.campaign.libraries import functions_of
+    from shaketable.lazy_motions import heads_of
+    from shaketable.library.table import table_of
+    from shaketable.report.library import write_library
+
+    table, library = table_of(functions_of(work, objects)), work.library
+    run = {
+        **run_log.entries(),
+        "store": objects.place,
+        "seed": library.seed,
+        "environment": _fingerprint(objects).get("environment"),
+        "motions": {
+            "description": library.motions,
+            "hashes": dict(
+                zip(
+                    [head.name for head in heads_of(work.motions)],
+                    _fingerprint(objects).get("motions", []),
+                    strict=False,
+                )
+            ),
+        },
+    }
+    files = write_library(table, library.title, library.edition, run, out, overwrite=overwrite)
+    known = int(table["median"].notna().sum())
+    say(f"{known:,} of {len(table):,} rows have a function; page: {out / 'index.html'}")
+    say(f"{len(files)} files in {out}; functions.csv has all rows")
 
 
 def _fingerprint(objects: Objects) -> dict[str, Any]:

@@ -22,6 +22,7 @@ from shaketable.fragility.lognormal import (
 from shaketable.fragility.shown import in_words
 from shaketable.resampling import FEWEST, interval
 from shaketable.signal import Measure
+from shaketable.solid import Solid
 
 GROUND = "the ground"  # whose intensities are told, where nothing says that it is a floor
 #: Recordings, of those that reach a state and those that do not: fewer tell no median.
@@ -44,7 +45,7 @@ class Curve:
         event: the number of each recording's earthquake, (recording,).
     """
 
-    body: Body
+    body: Body | Solid
     state: LimitState
     measure: Measure
     fits: Fits

@@ -146,17 +146,19 @@ class Fragility:
 
     def to_nrml(self, path: str | Path, *, form: str = "continuous") -> None:
         """Write the functions for OpenQuake; see `nrml.write_nrml`."""
+        from shaketable.fragility.exported import export_of
         from shaketable.fragility.nrml import write_nrml
 
-        write_nrml(self, path, form=form)
+        write_nrml(export_of(self), path, form=form)
 
     def to_pelicun(
         self, folder: str | Path, *, demand: str | None = None, overwrite: bool = False
     ) -> None:
         """Write the functions for pelicun; see `pelicun.write_pelicun`."""
+        from shaketable.fragility.exported import export_of
         from shaketable.fragility.pelicun import write_pelicun
 
-        write_pelicun(self, folder, demand=demand, overwrite=overwrite)
+        write_pelicun(export_of(self), folder, demand=demand, overwrite=overwrite)
 
     def _each(self, values: list[float]) -> float | NDArray[np.float64]:
         if len(values) == 1:

@@ -17,8 +17,19 @@ if TYPE_CHECKING:
     import xarray as xr
 
 OVERTURNS, UPLIFT, ROCKS, SLIDES = "overturns", "uplift", "rocks", "slides"
-_NUMBERED = re.compile(r"(rocks|slides)\s+([0-9.eE+-]+)\s*(α|alpha|m)")
-_UNITS = {"rocks": ("α", "alpha"), "slides": ("m",)}
+WALKS_OFF, REACHES = "walks off", "reaches"
+_NUMBERED = re.compile(r"(rocks|slides|reaches)\s+([0-9.eE+-]+)\s*(α|alpha|m)")
+_UNITS = {"rocks": ("α", "alpha"), "slides": ("m",), "reaches": ("m",)}
+#: What each means; {least} is its number.
+MEANINGS = {
+    OVERTURNS: "It falls over.",
+    UPLIFT: "It rocks.",
+    ROCKS: "It rocks to {least} of its slenderness.",
+    SLIDES: "It slides by {least} m.",
+    WALKS_OFF: "It goes over the edge of its table.",
+    REACHES: "Once it stands or lies again, it covers ground {least} m or farther from the wall "
+    "behind it, or from the line of its back where there is no wall.",
+}
 
 
 @dataclass(frozen=True)
@@ -26,8 +37,9 @@ class LimitState:
     """A state of a body; a body that overturned has passed all others.
 
     Attributes:
-        kind: overturns, uplift (it rocks at all), rocks (to a share of its slenderness) or slides.
-        least: that share, or the slip [m]; 0 for the others.
+        kind: overturns, uplift (it rocks at all), rocks (to a share of its slenderness), slides,
+            walks off (its table) or reaches (so far from the wall behind it).
+        least: that share, the slip or the distance [m]; 0 for the others.
     """
 
     kind: str
@@ -38,7 +50,12 @@ class LimitState:
         """As a user writes it."""
         if self.kind == ROCKS:
             return f"rocks {self.least:g} α"
-        return f"slides {self.least:g} m" if self.kind == SLIDES else self.kind
+        return f"{self.kind} {self.least:g} m" if self.least else self.kind
+
+    @property
+    def meaning(self) -> str:
+        """In a sentence."""
+        return MEANINGS[self.kind].format(least=f"{self.least:g}")
 
     def reached(self, runs: xr.Dataset, bodies: Sequence[Body]) -> xr.DataArray:
         """Whether each simulation brought its body there.
@@ -53,6 +70,8 @@ class LimitState:
         fallen = fell(runs)
         if self.kind == OVERTURNS:
             return fallen
+        if self.kind in (WALKS_OFF, REACHES):
+            raise InputError(f"limit state {self.name!r} is of the things of a library alone")
         if self.kind in (UPLIFT, ROCKS) and "peak_rotation" not in runs:
             raise InputError(f"limit state {self.name!r}: the runs hold no peak_rotation")
         if self.kind == UPLIFT:
@@ -81,7 +100,7 @@ def limit_state(text: str) -> LimitState:
         InputError: none of this name.
     """
     word = text.strip()
-    if word in (OVERTURNS, UPLIFT):
+    if word in (OVERTURNS, UPLIFT, WALKS_OFF):
         return LimitState(word)
     match = _NUMBERED.fullmatch(word)
     try:
@@ -96,7 +115,7 @@ def limit_state(text: str) -> LimitState:
     if match is None or not (np.isfinite(least) and least > 0.0):
         raise InputError(
             f"unknown limit state {quoted(text)}; accepted: overturns, uplift, 'rocks 0.5 α' "
-            "(or alpha), 'slides 0.1 m'"
+            "(or alpha), 'slides 0.1 m', and in a library 'walks off' and 'reaches 0.8 m'"
         )
     return LimitState(match[1], least)
 

@@ -123,7 +123,8 @@ def scored(
         if some.any():
             found[some] = scored(columns, reached[some], total[some])
         return found
-    coefficients = np.ones((len(total), len(columns)))
+    coefficients = np.zeros((len(total), len(columns)))
+    coefficients[:, 1] = 1.0
     coefficients[:, 0] = _inverse(often / total.sum(axis=1))
     pairs = (columns[:, None] * columns).reshape(-1, columns.shape[1]).T
     square = (-1, len(columns), len(columns))

@@ -14,14 +14,7 @@ import numpy as np
 
 from shaketable.atomic_files import appearing_file
 from shaketable.errors import InputError
-from shaketable.fragility.exported import (
-    Exported,
-    Functions,
-    demand_of,
-    functions_of,
-    unit_of,
-    word_of,
-)
+from shaketable.fragility.exported import Export, Functions, unit_of, word_of
 from shaketable.fragility.shown import SHOWN, MeasureUnit
 
 NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
@@ -30,13 +23,14 @@ NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
 TAIL = 1e-6
 LEVELS = 50  # of a discrete function
 FORMS = ("continuous", "discrete")
+REACHED = "reached"  # the only limit state of functions with one state each
 
 
-def write_nrml(fragility: Exported, path: str | Path, *, form: str = FORMS[0]) -> None:
+def write_nrml(export: Export, path: str | Path, *, form: str = FORMS[0]) -> None:
     """Write functions for OpenQuake; a body is a taxonomy of assets.
 
     Args:
-        fragility: its measure must be PGA, PGV, PGD, SA(T) or AvgSA(T).
+        export: its measure must be PGA, PGV, PGD, SA(T) or AvgSA(T).
         path: of the file, which is replaced.
         form: "continuous", lognormal; or "discrete", probabilities at levels.
 
@@ -46,45 +40,38 @@ def write_nrml(fragility: Exported, path: str | Path, *, form: str = FORMS[0]) -
     """
     if form not in FORMS:
         raise InputError(f"form= must be one of {', '.join(FORMS)}, got {form!r}")
-    unit = unit_of(fragility.measure, SHOWN, "OpenQuake")
-    fragility.curves[0].require_ground("OpenQuake's intensity is")
-    functions = functions_of(fragility)
-    order = [curve.state.name for curve in functions[0].curves]
+    unit = unit_of(export.measure, SHOWN, "OpenQuake")
+    export.require_ground("OpenQuake's intensity is")
+    functions = export.functions
+    order = _states(export, functions[0])
     root = ET.Element("nrml", xmlns=NAMESPACE)
     model = ET.SubElement(
         root, "fragilityModel", id="shaketable", assetCategory="contents", lossCategory="contents"
     )
-    ET.SubElement(model, "description").text = description_of(fragility, unit)
-    ET.SubElement(model, "limitStates").text = " ".join(word_of(name) for name in order)
+    ET.SubElement(model, "description").text = export.description.replace("{unit}", unit.name)
+    ET.SubElement(model, "limitStates").text = " ".join(order)
     for one in functions:
-        if [curve.state.name for curve in one.curves] != order:
+        if _states(export, one) != order:
             raise InputError(
-                f"{one.body}: its states are in another order of severity than those of "
-                f"{functions[0].body}; export them apart"
+                f"{one.name}: its states are in another order of severity than those of "
+                f"{functions[0].name}; export them apart"
             )
-        _write_function(model, fragility, one, unit, form)
+        _write_function(model, export, one, unit, form)
     ET.indent(root)
     content = ET.tostring(root, encoding="utf-8", xml_declaration=True)
     with appearing_file(Path(path)) as file:
         file.write_bytes(content + b"\n")
 
 
-def description_of(fragility: Exported, unit: MeasureUnit) -> str:
-    """What a reader should know of the functions."""
-    curve = fragility.curves[0]
-    cautions = "".join(
-        f"; {each}" for each in dict.fromkeys(c.caution for c in fragility.curves if c.caution)
-    )
-    more = f"; β with {curve.more_beta:g} for what is not known" if curve.more_beta else ""
-    return (
-        f"Unanchored rigid bodies under {fragility.motions} motions of {curve.recordings} "
-        f"recordings of {curve.events} earthquakes, by {fragility.method}; {fragility.model!r}; "
-        f"{fragility.measure.name} in {unit.name}, {demand_of(fragility)}{more}{cautions}"
-    )
+def _states(export: Export, one: Functions) -> list[str]:
+    """What the limit states of a function are called, the mildest first."""
+    if export.one_state:
+        return [REACHED]
+    return [word_of(curve.state.name) for curve in one.curves]
 
 
 def _write_function(
-    model: ET.Element, fragility: Exported, one: Functions, unit: MeasureUnit, form: str
+    model: ET.Element, export: Export, one: Functions, unit: MeasureUnit, form: str
 ) -> None:
     from scipy.special import ndtri
 
@@ -95,22 +82,22 @@ def _write_function(
     function = ET.SubElement(model, "fragilityFunction", id=one.identifier, format=form)
     if form == FORMS[0]:
         function.set("shape", "logncdf")
-    imls = ET.SubElement(function, "imls", imt=fragility.measure.name)
+    imls = ET.SubElement(function, "imls", imt=export.measure.name)
     if form == FORMS[0]:
         imls.set("minIML", _told(least))
         imls.set("maxIML", _told(most))
-        for curve in one.curves:
+        for name, curve in zip(_states(export, one), one.curves, strict=True):
             mean, deviation = moments(unit.factor * curve.median, curve.beta)
             ET.SubElement(
-                function, "params", ls=word_of(curve.state.name), mean=_told(mean),
+                function, "params", ls=name, mean=_told(mean),
                 stddev=_told(deviation),
             )  # fmt: skip
         return
     levels = np.geomspace(least, most, LEVELS)
     imls.text = " ".join(_told(level) for level in levels)
-    for curve in one.curves:
+    for name, curve in zip(_states(export, one), one.curves, strict=True):
         chance = curve.probability(levels / unit.factor)
-        poes = ET.SubElement(function, "poes", ls=word_of(curve.state.name))
+        poes = ET.SubElement(function, "poes", ls=name)
         poes.text = " ".join(_told(float(each)) for each in chance)
 
 

@@ -15,15 +15,15 @@ Three files: `fragility.csv`, `fragility.json` that says what the states mean, a
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from shaketable.atomic_files import results_folder, write_csv
 from shaketable.errors import InputError, refused
-from shaketable.fragility.curve import GROUND, Curve
-from shaketable.fragility.exported import Exported, Functions, demand_of, functions_of, unit_of
-from shaketable.fragility.limit_states import OVERTURNS, ROCKS, SLIDES
-from shaketable.fragility.nrml import description_of
+from shaketable.fragility.curve import GROUND
+from shaketable.fragility.exported import Export, Function, Functions, unit_of
+from shaketable.fragility.limit_states import OVERTURNS
 from shaketable.fragility.shown import G, MeasureUnit
 
 FILES = ("fragility.csv", "fragility.json", "consequence_repair.csv")
@@ -37,12 +37,12 @@ CONSEQUENCES = {"Cost": "USD_2011", "Time": "worker_day"}
 
 
 def write_pelicun(
-    fragility: Exported, folder: str | Path, *, demand: str | None = None, overwrite: bool = False
+    export: Export, folder: str | Path, *, demand: str | None = None, overwrite: bool = False
 ) -> None:
     """Write a damage and loss library of the bodies for pelicun.
 
     Args:
-        fragility: its measure must be PGA, PGV or SA(T).
+        export: its measure must be PGA, PGV or SA(T).
         folder: for the three files.
         demand: "floor": the motion under each object, wherever it stands; or "ground". By default
             what the functions are of: the ground where `fragility(..., ground=)` has taken the
@@ -55,7 +55,7 @@ def write_pelicun(
     """
     require_blank(Path(folder))
     with results_folder(Path(folder), overwrite, FILES) as place:
-        write_into(place, fragility, demand)
+        write_into(place, export, demand)
 
 
 def require_blank(folder: Path) -> None:
@@ -81,24 +81,25 @@ def require_blank(folder: Path) -> None:
         )
 
 
-def write_into(place: Path, fragility: Exported, demand: str | None = None) -> None:
+def write_into(place: Path, export: Export, demand: str | None = None) -> None:
     """Write the files into a folder; arguments as for `write_pelicun`."""
     import pandas as pd
 
-    unit = unit_of(fragility.measure, UNITS, "pelicun")
-    demand = _require_demand(fragility, demand)
-    if len(fragility.states) > MOST_STATES:
-        raise InputError(f"pelicun takes {MOST_STATES} limit states, got {len(fragility.states)}")
-    functions = functions_of(fragility)
-    demand_type = _demand(fragility.measure.name, demand)
+    unit = unit_of(export.measure, UNITS, "pelicun")
+    demand = _require_demand(export, demand)
+    functions = export.functions
+    states = max(len(one.curves) for one in functions)
+    if states > MOST_STATES:
+        raise InputError(f"pelicun takes {MOST_STATES} limit states, got {states}")
+    demand_type = _demand(export.measure.name, demand)
     rows = [_row(one, demand_type, unit) for one in functions]
     told: dict[str, Any] = {
         "_GeneralInformation": {
-            "ShortName": "shaketable",
-            "Description": description_of(fragility, unit),
+            "ShortName": export.title,
+            "Description": export.description.replace("{unit}", unit.name),
             "Version": "1.0",
         },
-        **{one.identifier: _meaning(one, demand_of(fragility)) for one in functions},
+        **{one.identifier: _meaning(one) for one in functions},
     }
     write_csv(pd.DataFrame(rows), place / FILES[0])
     text = json.dumps(told, indent=2, ensure_ascii=False)
@@ -106,18 +107,18 @@ def write_into(place: Path, fragility: Exported, demand: str | None = None) -> N
     write_csv(pd.DataFrame(_frame(functions)), place / FILES[2])
 
 
-def _require_demand(fragility: Exported, demand: str | None) -> str:
+def _require_demand(export: Export, demand: str | None) -> str:
     """The demand, or the one that the functions are of; InputError for any other."""
     if demand is None:
-        return "ground" if fragility.through_building else "floor"
+        return "ground" if export.through_building else "floor"
     if demand not in DEMANDS:
         raise InputError(f"demand= must be one of {', '.join(DEMANDS)}, got {demand!r}")
-    if demand == "floor" and fragility.through_building:
+    if demand == "floor" and export.through_building:
         raise InputError(
             "demand='floor': the functions are of the ground's measure and have the building in "
             "them (ground=), so that a floor's demand would count it twice; leave demand="
         )
-    place = fragility.curves[0].place
+    place = export.place
     if demand == "ground" and place != GROUND:
         raise InputError(
             f"demand='ground': the functions are of the measure on {place}; leave demand=, or give "
@@ -151,32 +152,18 @@ def _row(one: Functions, demand: str, unit: MeasureUnit) -> dict[str, Any]:
     return row
 
 
-def _sides(curve: Curve) -> dict[str, float]:
-    """The shares of falls to each side, where both are there; they sum to 1 in six digits."""
-    if curve.state.kind != OVERTURNS or not 0.0 < curve.downhill < 1.0:
-        return {}
-    share = round(curve.downhill, 6)
-    if not 0.0 < share < 1.0:
-        return {}
-    return {"downhill, toward -x": share, "uphill, toward +x": 1.0 - share}
+def _weights(curve: Function) -> str:
+    return " | ".join(f"{share:.6f}" for share in curve.sides.values())
 
 
-def _weights(curve: Curve) -> str:
-    return " | ".join(f"{share:.6f}" for share in _sides(curve).values())
-
-
-def _states_of(curve: Curve) -> list[str]:
+def _states_of(curve: Function) -> list[str]:
     """What the damage states of a limit state are."""
-    if curve.state.kind == OVERTURNS:
-        return [f"It falls over, {side}." for side in _sides(curve)] or ["It falls over."]
-    if curve.state.kind == ROCKS:
-        return [f"It rocks to {curve.state.least:g} of its slenderness."]
-    if curve.state.kind == SLIDES:
-        return [f"It slides by {curve.state.least:g} m."]
-    return ["It rocks."]
+    if curve.state.kind == OVERTURNS and curve.sides:
+        return [f"It falls over, {side}." for side in curve.sides]
+    return [curve.state.meaning]
 
 
-def _meaning(one: Functions, demand: str) -> dict[str, Any]:
+def _meaning(one: Functions) -> dict[str, Any]:
     states, number = {}, 0
     for k, curve in enumerate(one.curves, 1):
         each = {}
@@ -184,21 +171,17 @@ def _meaning(one: Functions, demand: str) -> dict[str, Any]:
             number += 1
             each[f"DS{number}"] = {"Description": said, "RepairAction": "To be filled in."}
         states[f"LS{k}"] = each
-    body = one.curves[0].body
     return {
-        "Description": f"{one.body}, unanchored",
-        "Comments": (
-            f"Base {body.width:.4g} m in the plane of the shaking, centre of gravity at "
-            f"{body.cg_height:.4g} m. The demand is {demand}."
-            + "".join(f" Caution: {curve.caution}." for curve in one.curves if curve.caution)
-        ),
+        "Description": f"{one.name}, unanchored",
+        "Comments": one.about
+        + "".join(f" Caution: {curve.caution}." for curve in one.curves if curve.caution),
         "SuggestedComponentBlockSize": "1 EA",
         "RoundUpToIntegerQuantity": "True",
         "LimitStates": states,
     }
 
 
-def _frame(functions: list[Functions]) -> list[dict[str, Any]]:
+def _frame(functions: Sequence[Functions]) -> list[dict[str, Any]]:
     rows = []
     for one in functions:
         states = sum(len(_states_of(curve)) for curve in one.curves)

@@ -12,7 +12,7 @@ import pandas as pd
 
 from shaketable.errors import InputError, named
 from shaketable.fragility import Curve, Fragility, pelicun
-from shaketable.fragility.exported import demand_of
+from shaketable.fragility.exported import demand_of, export_of
 from shaketable.fragility.goodness import goodness
 from shaketable.fragility.limit_states import OVERTURNS
 from shaketable.fragility.lognormal import Points
@@ -94,7 +94,7 @@ def _exported(fragility: Fragility, reader: str, folder: Path) -> bool:
         if reader == NRML:
             fragility.to_nrml(folder / "fragility.xml")
         else:
-            pelicun.write_into(folder, fragility)
+            pelicun.write_into(folder, export_of(fragility))
     except InputError as error:
         log.warning("not exported for %s: %s", reader, error)
         return False

@@ -1,0 +1,1 @@
+"""Fragility functions of many common things, computed by a stated rule and published."""

@@ -1,0 +1,173 @@
+"""Lognormal functions of a case's limit states, with β of motions, of the object and of the model.
+
+The probability that a state is reached at an intensity x is Φ(ln(x/θ)/β): a probit regression on
+ln x (Baker 2015). β holds what motions differ by and what was drawn of the object and the model.
+How much of it was drawn is told by `elasticities`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.fragility.curve import GROUND, Curve
+from shaketable.fragility.exported import word_of
+from shaketable.fragility.limit_states import LimitState
+from shaketable.fragility.lognormal import Points, fit_many
+from shaketable.library.case import Case
+from shaketable.library.draws import Draws, draws_of
+from shaketable.library.effects import Effects, effects_of, no_effects
+from shaketable.library.measures import LibraryMeasure, levels_of, measure_of
+from shaketable.library.shaken import CaseRuns, motions_under
+from shaketable.library.states import has_state, reached
+from shaketable.motion import Motion
+from shaketable.resampling import events_of, nested_resamples, recording_names, recordings_of
+
+DRAWS = 200
+#: What cross-validation with 263 shake-table tests of two granite specimens asks for as noise of
+#: the motions' ln (docs/explanation/validation.md): what the equations do not know of real bodies.
+TESTS = 0.20
+#: Share of runs that were given up while the thing still moved, above which a caution says so.
+MOVING = 0.02
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class LibraryFunction:
+    """A function of a library.
+
+    Attributes:
+        case, state, measure: whose it is.
+        curve: the function; its β is that of motions, object and model together.
+        effects: of what was drawn on ln θ.
+        simulations: how many it was fitted to.
+        moving: share of them that were given up while the thing still moved.
+    """
+
+    case: Case
+    state: LimitState
+    measure: LibraryMeasure
+    curve: Curve
+    effects: Effects
+    simulations: int
+    moving: float
+
+    @property
+    def identifier(self) -> str:
+        """Of its case and its state: a name that every reader takes."""
+        return f"{self.case.name}.{word_of(self.state.name)}"
+
+    @cached_property
+    def problem(self) -> str:
+        """Why there is no such function; "" where there is one."""
+        return self.curve.problem
+
+    @cached_property
+    def caution(self) -> str:
+        """What is weak about it; "" if nothing is."""
+        said = [self.curve.caution] if self.curve.caution else []
+        if self.moving > MOVING and not self.problem:
+            said.append(
+                f"{self.moving:.0%} of the simulations were given up while the thing still moved, "
+                "and count as standing"
+            )
+        return "; ".join(said)
+
+
+class Shaking:
+    """The motions of a library, with what is computed from them once."""
+
+    def __init__(self, ground: Sequence[Motion], draws: int = DRAWS, seed: int = 0) -> None:
+        """The motions of the ground, and how many draws of a bootstrap over their earthquakes."""
+        self.ground = ground
+        self.recording = recordings_of(ground)
+        self.event = events_of(ground, self.recording)
+        self.names = recording_names(ground)
+        self.weights = nested_resamples(self.event, draws, seed)
+        self._levels: dict[tuple[str, str], NDArray[np.float64]] = {}
+
+    def levels(self, case: Case, measure: LibraryMeasure) -> NDArray[np.float64]:
+        """A measure of each motion, of the ground or of a case's floor [SI], (motion,)."""
+        place = case.stand.name if measure.of_floor else GROUND
+        key = measure.measure.name, place
+        if key not in self._levels:
+            motions = motions_under(case, self.ground) if measure.of_floor else self.ground
+            self._levels[key] = levels_of(measure.measure, motions)
+        return self._levels[key]
+
+
+def functions_of_case(
+    case: Case,
+    runs: CaseRuns,
+    shaking: Shaking,
+    *,
+    states: Sequence[LimitState],
+    measures: Sequence[str],
+    seed: int = 0,
+) -> list[LibraryFunction]:
+    """The functions of a case, of each of its states and measures.
+
+    Args:
+        case: which.
+        runs: its simulations.
+        shaking: the motions.
+        states, measures: those of the library.
+        seed: with which its things were drawn.
+    """
+    motions = len(shaking.ground)
+    draws = draws_of(case, case.held.draws * motions, seed)
+    found = []
+    for name in measures:
+        measure = measure_of(name)
+        if measure.of_floor and case.stand.building is None:
+            continue
+        once = shaking.levels(case, measure)
+        level = once[runs.draw % motions] * runs.scale ** (measure.measure.power or 1)
+        for state in states:
+            if has_state(case, state):
+                found.append(_fitted(case, state, measure, level, runs, draws, shaking))
+    return found
+
+
+def _fitted(
+    case: Case,
+    state: LimitState,
+    measure: LibraryMeasure,
+    level: NDArray[np.float64],
+    runs: CaseRuns,
+    draws: Draws,
+    shaking: Shaking,
+) -> LibraryFunction:
+    """One function."""
+    motions = len(shaking.ground)
+    happened = reached(state, runs)
+    points = Points(
+        level, happened.astype(np.int64), np.ones(level.size, np.int64),
+        shaking.recording[runs.draw % motions],
+    )  # fmt: skip
+    curve = Curve(
+        body=draws.each[0].solid,
+        state=state,
+        measure=measure.measure,
+        fits=fit_many(points, shaking.weights),
+        data=points,
+        falls=None,
+        recording_names=shaking.names,
+        event=shaking.event,
+        place=f"floor {case.stand.floor}" if measure.of_floor else GROUND,
+        more_beta=TESTS,
+    )
+    known = not curve.problem
+    event = shaking.event[points.recording]
+    return LibraryFunction(
+        case=case,
+        state=state,
+        measure=measure,
+        curve=curve,
+        effects=effects_of(points, draws, runs.draw, event) if known else no_effects(draws),
+        simulations=level.size,
+        moving=float(runs.moving.mean()),
+    )

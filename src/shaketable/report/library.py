@@ -1,0 +1,210 @@
+"""A library as files: tables, what loss tools read, a page to search it, and what an archive needs.
+
+The page holds the rows and draws them itself, so that it works from a folder and from an archive.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import logging
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from shaketable.errors import InputError
+from shaketable.fragility.nrml import write_nrml
+from shaketable.fragility.pelicun import FILES, write_into
+from shaketable.fragility.shown import unit_shown
+from shaketable.library.exported import exports_of
+from shaketable.library.measures import measure_of
+from shaketable.library.table import COLUMNS
+from shaketable.report.html import pages
+from shaketable.report.results_folder import write_folder
+
+log = logging.getLogger(__name__)
+
+TABLE, DICTIONARY, PACKAGE = "functions", "data_dictionary", "datapackage.json"
+#: Of the rows on the page, in its order; the others are in the CSV.
+ON_PAGE = (
+    "id", "thing", "place", "held", "tilt", "limit_state", "measure", "median", "median_low",
+    "median_high", "beta", "beta_motions", "beta_object", "beta_model", "simulations",
+    "recordings", "events", "recordings_reaching", "given_up", "problem", "caution", "depth",
+    "width", "height", "cg_low", "cg_high", "friction_low", "friction_high",
+)  # fmt: skip
+LICENCE = {"name": "CC-BY-4.0", "path": "https://creativecommons.org/licenses/by/4.0/"}
+NOT_CONSIDERED = (
+    "Things are rigid, as are their floors and walls: contents that move, doors and drawers that "
+    "open, soft feet and carpets are not in them. Motions are recorded ones of moderate to large "
+    "earthquakes, scaled, without their vertical component; buildings are linear. The sizes of a "
+    "kind are assumed from what such things commonly measure. β_model holds what shake-table tests "
+    "of two granite blocks ask for; no furniture was tested. A function is of one thing alone: "
+    "what falls onto it or leans on it is not in it."
+)
+
+
+def write_library(
+    table: pd.DataFrame,
+    title: str,
+    edition: str,
+    run: Mapping[str, Any],
+    folder: Path,
+    *,
+    overwrite: bool = False,
+) -> list[str]:
+    """Write all files of a library, or none; returns their names.
+
+    Args:
+        table: its rows, as `table_of` gives them.
+        title, edition: of the library.
+        run: what makes the run repeatable.
+        folder: new, or one of earlier results with `overwrite`.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+
+    def others(fresh: Path) -> None:
+        exports = exports_of(table, f"{title}, edition {edition}")
+        for name, export in exports.items():
+            word = file_word(name)
+            try:
+                write_nrml(export, fresh / f"openquake_{word}.xml")
+            except InputError as error:
+                log.info("%s not written for OpenQuake: %s", name, error)
+            try:
+                _write_pelicun(fresh, word, export)
+            except InputError as error:
+                log.info("%s not written for pelicun: %s", name, error)
+
+    def finish(fresh: Path) -> None:
+        package = data_package(fresh, title, edition, run)
+        text = json.dumps(package, indent=2, ensure_ascii=False)
+        (fresh / PACKAGE).write_text(text + "\n", encoding="utf-8")
+
+    return write_folder(
+        folder,
+        run,
+        overwrite=overwrite,
+        tables={TABLE: table, DICTIONARY: dictionary()},
+        parquet=(TABLE,),
+        page=lambda pictures: render(table, title, edition, run),
+        others=others,
+        finish=finish,
+    )
+
+
+def file_word(measure: str) -> str:
+    """The name of a measure in names of files, such as PGV, floor_PGV or SA_1.0."""
+    return measure.replace(" ", "_").replace("(", "_").replace(")", "")
+
+
+def _write_pelicun(fresh: Path, word: str, export: Any) -> None:
+    """The files of pelicun for a measure, each with the measure in its name."""
+    inner = fresh / word
+    inner.mkdir()
+    try:
+        write_into(inner, export)
+        for name in FILES:
+            stem, _, ending = name.partition(".")
+            (inner / name).rename(fresh / f"pelicun_{word}_{stem}.{ending}")
+    finally:
+        for path in inner.iterdir():
+            path.unlink()
+        inner.rmdir()
+
+
+def dictionary() -> pd.DataFrame:
+    """What each column of the table means."""
+    return pd.DataFrame(
+        [
+            {"column": name, "type": each.kind, "unit": each.unit, "meaning": each.meaning}
+            for name, each in COLUMNS.items()
+        ]
+    )
+
+
+def data_package(folder: Path, title: str, edition: str, run: Mapping[str, Any]) -> dict[str, Any]:
+    """The descriptor of a folder as a Frictionless Data Package, with a hash of each file."""
+    resources = []
+    for path in sorted(folder.iterdir()):
+        content = path.read_bytes()
+        resource: dict[str, Any] = {
+            "name": path.name.lower().replace(".", "-").replace("_", "-"),
+            "path": path.name,
+            "bytes": len(content),
+            "hash": f"sha256:{hashlib.sha256(content).hexdigest()}",
+        }
+        if path.name == f"{TABLE}.csv":
+            resource |= {
+                "profile": "tabular-data-resource",
+                "schema": {
+                    "fields": [
+                        {
+                            "name": name,
+                            "type": each.kind,
+                            "description": f"{each.meaning} [{each.unit}]"
+                            if each.unit
+                            else each.meaning,
+                        }
+                        for name, each in COLUMNS.items()
+                    ],
+                    "missingValues": [""],
+                },
+            }
+        resources.append(resource)
+    return {
+        "name": "shaketable-library",
+        "title": f"Fragility functions of {title[0].lower()}{title[1:]}",
+        "version": edition,
+        "description": NOT_CONSIDERED,
+        "licenses": [LICENCE],
+        "contributors": [{"title": "The shaketable developers", "role": "author"}],
+        "environment": run.get("environment"),
+        "motions": run.get("motions"),
+        "resources": resources,
+    }
+
+
+def render(table: pd.DataFrame, title: str, edition: str, run: Mapping[str, Any]) -> str:
+    """The page."""
+    units = {}
+    for name in table["measure"].unique():
+        unit = unit_shown(measure_of(str(name)).measure)
+        units[str(name)] = [unit.name, unit.factor]
+    known = int(table["median"].notna().sum())
+    return (
+        pages()
+        .get_template("library.html.j2")
+        .render(
+            title=title,
+            edition=edition,
+            count=len(table),
+            known=known,
+            things=table["thing"].nunique(),
+            cases=table["id"].nunique(),
+            first=table.iloc[0].to_dict(),
+            not_considered=NOT_CONSIDERED,
+            data=_as_script({"columns": ON_PAGE, "rows": _rows(table), "units": units}),
+            run=run,
+        )
+    )
+
+
+def _rows(table: pd.DataFrame) -> list[list[Any]]:
+    """The rows of the page: numbers in four digits, None for what is not known."""
+
+    def plain(value: Any) -> Any:
+        if isinstance(value, (float, np.floating)):
+            return float(f"{value:.4g}") if np.isfinite(value) else None
+        return value.item() if isinstance(value, np.generic) else value
+
+    return [[plain(value) for value in row] for row in table[list(ON_PAGE)].itertuples(index=False)]
+
+
+def _as_script(data: Mapping[str, Any]) -> str:
+    """JSON that may stand within a script of a page."""
+    return json.dumps(data, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
