@@ -1,8 +1,9 @@
 """`make interop`: the exported files read by OpenQuake and by pelicun, each in its environment.
 
 OpenQuake runs a classical damage calculation of one site (`oq engine --run`), pelicun a loss; both
-are printed beside what the same functions give here. The environments are made in the folder that
-is named, once.
+are printed beside what the same functions give here. Then both run the whole jobs of a list of
+objects with costs, as `shaketable hazard ... --export openquake,pelicun` writes them. The
+environments are made in the folder that is named, once.
 """
 
 from __future__ import annotations
@@ -18,10 +19,16 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 
 from shaketable import Body, Fragility, fragility, suite
 from shaketable.hazard import annual_rate, read_hazard
+from shaketable.hazard.jobs import JOBS, write_jobs
+from shaketable.hazard.objects import object_rates
+from shaketable.hazard.totals import loss_totals
+from shaketable.inventory import read_inventory
 
+EXAMPLES = Path(__file__).parents[1] / "examples"
 READERS = Path(__file__).parent / "readers"
 OPENQUAKE = (
     "h3<4", "fiona", "pyzmq", "numpy", "scipy", "pandas", "h5py", "toml", "psutil", "decorator",
@@ -100,6 +107,37 @@ def by_pelicun(found: Fragility, environments: Path, work: Path) -> None:
               f"{chance:.4f}; loss {told['loss']:.1f} each, here {loss:.1f}")  # fmt: skip
 
 
+def whole_jobs(environments: Path, work: Path) -> None:
+    """The jobs of the example campus, each object with a cost, beside the totals here."""
+    rows = pd.read_csv(EXAMPLES / "campus.csv", dtype=str)
+    rows["cost"] = 100.0 * (1.0 + np.arange(len(rows)))
+    rows.to_csv(work / "campus.csv", index=False)
+    hazard = read_hazard(EXAMPLES / "hazard.csv")
+    rates = object_rates(
+        read_inventory(work / "campus.csv"), suite("fema-p695-far-field"), hazard, draws=0
+    )
+    write_jobs(rates, work, JOBS)
+    told = asked(environments / "openquake" / "bin" / "python", "run_openquake.py", work)
+    departs = []
+    for one in rates.of_objects().values():
+        fallen = told["fallen"][f"object_{one.number}"] / one.item.quantity
+        departs.append(fallen / one.found.probability(1.0) - 1.0)
+    average = loss_totals(rates).average
+    there = sum(told["loss"].values())
+    print(f"OpenQuake, {len(departs)} objects of a list: probability of falling in a year "
+          f"{100 * min(departs):+.1f} to {100 * max(departs):+.1f} % of ours; average annual loss "
+          f"{there:.1f}, here {average:.1f}, {100 * (there / average - 1.0):+.1f} %")  # fmt: skip
+    loss = asked(
+        environments / "pelicun" / "bin" / "python", "run_pelicun.py", work, VELOCITY
+    )["loss"]  # fmt: skip
+    here = sum(
+        one.item.quantity * (one.item.cost or 0.0) * float(one.curve.probability(VELOCITY))
+        for one in rates.of_objects().values()
+    )
+    print(f"pelicun, the same list at {VELOCITY:g} m/s: loss {loss:.0f}, here {here:.0f}, "
+          f"{100 * (loss / here - 1.0):+.1f} %")  # fmt: skip
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--environments", type=Path, default=Path("out/interop"))
@@ -112,6 +150,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         by_openquake(found, environments, Path(folder))
         by_pelicun(found, environments, Path(folder))
+        whole_jobs(environments, Path(folder))
 
 
 if __name__ == "__main__":

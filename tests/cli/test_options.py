@@ -250,6 +250,8 @@ TRIED = {
         ),
         "building": Option("--building house.toml", "rates.csv"),
         "years": Option("--years 10", "said"),
+        "export": Option("--export openquake", ".ini"),
+        "correlation": Option("--correlation 0,0", "totals.csv"),
         "motions": Option("--motions fema-p695-near-field-pulse", "rates.csv"),
         "vertical": Option("--vertical", "rates.csv", f"curve.csv list.csv {UPRIGHT} --out out"),
         "tilt_deg": Option("--tilt-deg 2", "rates.csv"),
@@ -395,6 +397,7 @@ COMMANDS_ELSEWHERE = {
         "tests/cli/test_room.py",
     ),
     "help": "tests/cli/test_cli.py",
+    "library": "tests/library/test_campaign.py",
     **dict.fromkeys((f"study {name}" for name in installed_studies()), "tests/cli/test_study.py"),
     **dict.fromkeys(
         ("campaign run", "campaign status", "campaign collect"), "tests/cli/test_campaign.py"

@@ -35,7 +35,14 @@ KINDS: dict[str, type] = {
 }  # fmt: skip
 
 #: Fields that came later: without them what is kept is what it was before.
-LATER = ("mass", "height", "edge", "pad", "surroundings")  # of a Solid the height is never None
+LATER = (
+    "mass",
+    "height",
+    "edge",
+    "pad",
+    "surroundings",
+    "cost",
+)  # of a Solid the height is never None
 
 
 def to_json(value: Any) -> Any:

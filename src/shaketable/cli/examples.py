@@ -37,6 +37,11 @@ EXAMPLES = {
         "shaketable fragility --inventory examples/hospital.csv --measure 'SA(1.0)' "
         "--limit-states 'rocks 0.5 alpha, overturns' --out hospital",
     ),
+    "library": (
+        "shaketable library library/edition-1.0.csv --find 'bookcase ground' --measure PGV "
+        "--limit-state overturns",
+        "shaketable library library/edition-1.0.csv --find cupboard --out cupboards",
+    ),
     "hazard": (
         "shaketable hazard examples/hazard.csv examples/hospital.csv --out yearly",
         "shaketable hazard hazard_curve-mean-PGV_1.csv examples/clinic.csv --site 8.5,47.4 "

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -21,6 +21,9 @@ from shaketable.errors import InputError, quoted
 from shaketable.records import DEFAULT_SUITE
 from shaketable.report.run_log import RunLog, plain
 from shaketable.units import radians
+
+if TYPE_CHECKING:
+    from shaketable.hazard.totals import Correlation
 
 Curve = Annotated[
     Path,
@@ -70,6 +73,20 @@ def hazard(
     list_options: ListOptions,
     tilt_deg: TiltDeg = 0.0,
     contact_options: ContactOptions,
+    export: Annotated[
+        str | None,
+        typer.Option(
+            help="openquake: a job that runs, with exposure, functions and hazard; pelicun: its "
+            "library with quantities and costs; or both with a comma."
+        ),
+    ] = None,
+    correlation: Annotated[
+        str | None,
+        typer.Option(
+            help="Of what pieces withstand at a level: of alike ones, and of different kinds, with "
+            "a comma; for the losses of all together. [1,0.7]"
+        ),
+    ] = None,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")] = 0,
     overwrite: Overwrite = False,
 ) -> None:
@@ -83,15 +100,22 @@ def hazard(
     from shaketable.fragility.intensities import GEOMETRIC_MEAN, OWN
     from shaketable.hazard import read_hazard
     from shaketable.hazard.functions import house_files
+    from shaketable.hazard.jobs import JOBS, write_jobs
     from shaketable.hazard.objects import object_rates
+    from shaketable.hazard.totals import loss_totals
     from shaketable.inventory import read_inventory
     from shaketable.report.hazard import write_hazard
     from shaketable.report.results_folder import require_folder
     from shaketable.report.run_log import sha256
-    from shaketable.report.words.hazard import of_inventory
+    from shaketable.report.words.hazard import of_inventory, of_totals
 
     run_log = RunLog()
     require_folder(out, overwrite, run_log)
+    jobs = [part.strip() for part in (export or "").split(",") if part.strip()]
+    for name in jobs:
+        if name not in JOBS:
+            raise InputError(f"--export: unknown {quoted(name)}; accepted: {', '.join(JOBS)}")
+    together = _correlation(correlation)
     if not 0.0 < years < float("inf"):
         raise InputError(f"--years must be above 0, got {years:g}")
     contact = contact_options.contact()
@@ -117,10 +141,33 @@ def hazard(
         },
         "settings": {name: plain(value) for name, value in settings.items()},
     }
-    write_hazard(found, years, run, out, overwrite=overwrite)
-    for sentence in of_inventory(found, years):
+    some = any(not one.curve.problem for one in found.rates)
+    totals = loss_totals(found, correlation=together, seed=seed) if some else None
+    write_hazard(
+        found, totals, years, run, out, overwrite=overwrite,
+        exports=(lambda fresh: write_jobs(found, fresh, jobs)) if jobs else None,
+    )  # fmt: skip
+    for sentence in [*of_inventory(found, years), *(of_totals(totals) if totals else [])]:
         say(sentence)
     say(f"page: {out / 'index.html'}; rates.csv and levels.csv beside it")
+
+
+def _correlation(text: str | None) -> Correlation | None:
+    """Correlations of "1,0.7"."""
+    from shaketable.hazard.totals import Correlation
+
+    if text is None:
+        return None
+    try:
+        alike, kinds = (float(part) for part in text.split(","))
+    except ValueError:
+        raise InputError(f"--correlation: two numbers with a comma, got {quoted(text)}") from None
+    if not 0.0 <= kinds <= alike <= 1.0:
+        raise InputError(
+            "--correlation: that of alike pieces and that of different kinds, 1 >= alike >= "
+            f"kinds >= 0, got {quoted(text)}"
+        )
+    return Correlation(alike, kinds)
 
 
 def site_of(text: str | None) -> tuple[float, float] | None:

@@ -22,6 +22,7 @@ SUMMARIES = {
     "initial-modes": "How an object begins to move: rests, slides, rocks.",
     "calibrate": "A body's parameters from its shake-table tests.",
     "fragility": "The probability that objects fall, for loss tools.",
+    "library": "Published fragility functions of common things.",
     "hazard": "How often a year objects fall at a site.",
     "scenario": "What falls in a given magnitude, or a ShakeMap.",
     "ida": "The lowest level of each motion that overturns it.",

@@ -15,7 +15,7 @@ Three files: `fragility.csv`, `fragility.json` that says what the states mean, a
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -81,8 +81,19 @@ def require_blank(folder: Path) -> None:
         )
 
 
-def write_into(place: Path, export: Export, demand: str | None = None) -> None:
-    """Write the files into a folder; arguments as for `write_pelicun`."""
+def write_into(
+    place: Path,
+    export: Export,
+    demand: str | None = None,
+    *,
+    costs: Mapping[str, float] | None = None,
+) -> None:
+    """Write the files into a folder; arguments as for `write_pelicun`.
+
+    Args:
+        place, export, demand: as for it.
+        costs: of the worst state of those whose cost is known, by their identifiers.
+    """
     import pandas as pd
 
     unit = unit_of(export.measure, UNITS, "pelicun")
@@ -104,7 +115,7 @@ def write_into(place: Path, export: Export, demand: str | None = None) -> None:
     write_csv(pd.DataFrame(rows), place / FILES[0])
     text = json.dumps(told, indent=2, ensure_ascii=False)
     (place / FILES[1]).write_text(text + "\n", encoding="utf-8")
-    write_csv(pd.DataFrame(_frame(functions)), place / FILES[2])
+    write_csv(pd.DataFrame(_frame(functions, costs or {})), place / FILES[2])
 
 
 def _require_demand(export: Export, demand: str | None) -> str:
@@ -181,7 +192,7 @@ def _meaning(one: Functions) -> dict[str, Any]:
     }
 
 
-def _frame(functions: Sequence[Functions]) -> list[dict[str, Any]]:
+def _frame(functions: Sequence[Functions], costs: Mapping[str, float]) -> list[dict[str, Any]]:
     rows = []
     for one in functions:
         states = sum(len(_states_of(curve)) for curve in one.curves)
@@ -195,5 +206,9 @@ def _frame(functions: Sequence[Functions]) -> list[dict[str, Any]]:
             for k in range(1, states + 1):
                 row |= {f"DS{k}-Family": "", f"DS{k}-Theta_0": "", f"DS{k}-Theta_1": ""}
                 row |= {f"DS{k}-LongLeadTime": 0 if kind == "Time" else ""}
+            if kind == "Cost" and one.identifier in costs:
+                first = states - len(_states_of(one.curves[-1]))
+                fallen = {f"DS{k + 1}-Theta_0": costs[one.identifier] for k in range(first, states)}
+                row |= {"Incomplete": int(first > 0), **fallen}
             rows.append(row)
     return rows

@@ -66,6 +66,7 @@ class Item:
         castors: what it rolls on, if it does.
         mass: [kg], None if it is not known; forces, straps and pads need it, and nothing else.
         quantity: number of such objects.
+        cost: of one of them if it is lost, in a currency of the list's own; None if not known.
         building: which it stands in, "" if none is given.
         site: longitude and latitude of the building [degrees], None if they are not given.
         floor: label of the floor of a building on which it stands, "" if none is given.
@@ -102,6 +103,7 @@ class Item:
     castors: Castors = Castors.NONE
     mass: float | None = None
     quantity: int = 1
+    cost: float | None = None
     building: str = ""
     site: tuple[float, float] | None = None
     floor: str = ""

@@ -37,11 +37,12 @@ FARTHEST = 5.0  # m: a wall or an edge beyond that is none
 LARGEST_ROOM = 200.0  # m: a place in a plan beyond that is in another unit
 LONGEST_LOSS = 0.05  # m: rolling friction of a few millimetres is much
 DENSITIES = (5.0, 25_000.0)  # kg/m³ within its sizes: an empty basket; more than solid lead
-NUMBERS = (*LENGTHS, *FORCES, "mass", "eccentricity", "quantity")
+NUMBERS = (*LENGTHS, *FORCES, "mass", "eccentricity", "quantity", "cost")
 MOST_OBJECTS = 1_000_000  # of one kind
 #: Numbers without which an object can be simulated, by what is usual.
 OPTIONAL = (
-    "cg_height", "eccentricity", "gyration_radius", "support_length", "mass", "quantity", *LOSSES,
+    "cg_height", "eccentricity", "gyration_radius", "support_length", "mass", "quantity", "cost",
+    *LOSSES,
 )  # fmt: skip
 SHAPING = ("cg_height", "eccentricity", "gyration_radius", "support_length")  # likewise numbers
 DECIDING = ("castors", "shape", "anchored")  # words without which nothing good is said
@@ -189,7 +190,7 @@ def _without_what_is_not_read(
     """Cells of a row, those that cannot be read and are not needed empty; headers that decide."""
     found, deciding = dict(cells), []
     for meaning, (cell, column) in cells.items():
-        if cell.shared and cell.text and meaning in ("mass", "quantity"):
+        if cell.shared and cell.text and meaning in ("mass", "quantity", "cost"):
             text = tell("is merged over several rows, and left out: whose it is cannot be told")
             remarks.append(sheet.fault(cell, "left blank", text, column.cell.text))
             found[meaning] = (cell._replace(text=""), column)
@@ -457,6 +458,7 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: BaseShap
         castors=castors,
         mass=numbers.get("mass"),
         quantity=int(numbers.get("quantity", 1.0)),
+        cost=numbers.get("cost"),
         building=text.get("building", ""),
         site=(numbers["longitude"], numbers["latitude"]) if "latitude" in numbers else None,
         floor=text.get("floor", ""),

@@ -89,7 +89,7 @@ def draws_of(case: Case, count: int, seed: int) -> Draws:
     )
     values = share[:, :-1].T
     deviation = values.std(axis=1, keepdims=True)
-    standard = (values - values.mean(axis=1, keepdims=True)) / deviation
+    standard = (values - values.mean(axis=1, keepdims=True)) / np.where(deviation, deviation, 1.0)
     spread = deviation[:, 0] * np.array([_width(case, name) for name in names])
     return Draws(each, standard, spread, names)
 

@@ -36,7 +36,7 @@ def require_measure(name: str) -> str:
     Raises:
         InputError: none of this name, or one that does not grow with it.
     """
-    if measure_of(name).measure.power is None:
+    if not measure_of(name).measure.power:
         raise InputError(f"measure {quoted(name)} does not grow with the motion")
     return name
 

@@ -36,6 +36,11 @@ places = ["ground", "floor 4 of 6"]        # all by default
 held = ["free", "strap"]                   # likewise
 tilts_deg = [0]
 friction = [[0.4, 0.6]]                    # ranges
+
+[[things]]
+kinds = ["bookcase"]
+label = "5 shelves"                        # of sizes of its own
+lengths_m = [0.32, 0.91, 1.80]             # depth, width and height
 """
 
 from __future__ import annotations
@@ -66,7 +71,9 @@ SCHEMA: Mapping[str, Any] = {
 }
 PLACE = ("name", "storeys", "first_period_s", "damping", "floor")
 HELD = ("name", "wall_gap_mm", "strap_strength", "slack_mm", "edge_mm", "draws")
-THINGS = ("kinds", "sizes", "scales", "places", "held", "tilts_deg", "friction")
+THINGS = (
+    "kinds", "sizes", "scales", "label", "lengths_m", "places", "held", "tilts_deg", "friction"
+)  # fmt: skip
 MOST_NAMED = 5
 
 T = TypeVar("T")
@@ -162,6 +169,10 @@ def _cases(
     tilts = _numbers(table, "tilts_deg", [0.0])
     ranges = table.values("friction", [[0.4, 0.6]])
     kinds = table.values("kinds", [])
+    label, lengths = table.text("label", ""), None
+    if "lengths_m" in table.table:
+        depth, width, height, *_ = [*_numbers(table, "lengths_m", [1.0] * 3), 1.0, 1.0]
+        lengths = depth, width, height
     for kind, size, scale, stand, way, tilt, friction in itertools.product(
         kinds, sizes, scales, places, holding, tilts, ranges
     ):
@@ -170,7 +181,9 @@ def _cases(
             table.fault("friction", f"expected ranges such as [[0.4, 0.6]], found {friction!r}")
             return
         try:
-            thing = LibraryThing(kind=str(kind), size=size, scale=scale)
+            thing = LibraryThing(
+                kind=str(kind), size=size, scale=scale, lengths=lengths, label=label
+            )
             yield Case(
                 thing=thing, stand=stand, held=way, tilt=radians(tilt),
                 friction=(float(friction[0]), float(friction[1])),

@@ -35,7 +35,7 @@ COLUMNS = {
     ),
     "size": LibraryColumn(
         TEXT, "", "slender: smallest base and largest height that are usual; middle; stout: the "
-        "largest base and the smallest height",
+        "largest base and the smallest height; or a label, of sizes of its own",
     ),
     "scale": LibraryColumn(NUMBER, "1", "factor on all lengths"),
     "stands_on": LibraryColumn(TEXT, "", "base, circle, feet or free castors"),
@@ -150,7 +150,7 @@ def _about_case(case: Case) -> Mapping[str, Any]:
         "thing": thing.name,
         "kind": thing.kind,
         "group": thing.common.group,
-        "size": thing.size.value,
+        "size": thing.label or thing.size.value,
         "scale": thing.scale,
         "stands_on": "free castors" if thing.rolls else base,
         "depth": thing.depth,

@@ -14,7 +14,7 @@ from shaketable.plot.fragility import (
     plot_residuals,
     plot_two_measures,
 )
-from shaketable.plot.hazard import plot_hazard, plot_levels
+from shaketable.plot.hazard import plot_hazard, plot_levels, plot_losses
 from shaketable.plot.modes import plot_modes
 from shaketable.plot.record import plot_record, plot_spectra
 from shaketable.plot.spectra import plot_overturning_spectrum, plot_rocking_spectrum
@@ -27,6 +27,7 @@ __all__ = [
     "plot_functions",
     "plot_hazard",
     "plot_levels",
+    "plot_losses",
     "plot_map",
     "plot_measures",
     "plot_modes",

@@ -10,6 +10,7 @@ import numpy as np
 from shaketable.fragility.drawn import COLOURS
 from shaketable.fragility.shown import unit_shown
 from shaketable.hazard import AnnualRate, Hazard
+from shaketable.hazard.totals import LossTotals
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -60,4 +61,30 @@ def plot_levels(
            ylabel="share of the falls from below", ylim=(-0.02, 1.02))  # fmt: skip
     ax.xaxis.set_major_formatter("{x:g}")
     ax.legend(fontsize="small", loc="upper left")
+    return ax
+
+
+def plot_losses(totals: LossTotals, ax: Axes | None = None) -> Axes:
+    """The loss exceedance curve, and losses at return periods with their 95 % intervals.
+
+    Args:
+        totals: of a site.
+        ax: axes to draw on; a new figure by default.
+    """
+    from matplotlib.figure import Figure
+
+    if ax is None:
+        ax = Figure(figsize=(6.4, 4.4), layout="constrained").subplots()
+    some = totals.rates > 0.0
+    ax.plot(totals.losses[some], totals.rates[some], color=COLOURS[0])
+    for each in totals.periods:
+        if np.isfinite(each.low):
+            ax.plot([each.low, each.high], [1.0 / each.years] * 2, color=COLOURS[0], alpha=0.5)
+        marker = "o" if not each.beyond_curve else "x"
+        ax.plot(each.loss, 1.0 / each.years, marker, color=COLOURS[0], markersize=4)
+        ax.annotate(f"{each.years:g} years", (each.loss, 1.0 / each.years), fontsize="x-small",
+                    xytext=(4, 3), textcoords="offset points")  # fmt: skip
+    ax.set(yscale="log", ylim=(0.4 / max(each.years for each in totals.periods), None),
+           xlabel="loss [currency of the list]" if totals.in_cost else "pieces that fall",
+           ylabel="annual rate of exceedance [1/year]")  # fmt: skip
     return ax

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -11,7 +12,8 @@ from matplotlib.figure import Figure
 
 from shaketable.fragility.shown import unit_shown
 from shaketable.hazard.objects import ObjectRates
-from shaketable.plot import plot_hazard, plot_levels
+from shaketable.hazard.totals import LossTotals
+from shaketable.plot import plot_hazard, plot_levels, plot_losses
 from shaketable.report.html import pages
 from shaketable.report.results_folder import Picture, write_folder
 from shaketable.report.words.hazard import (
@@ -19,6 +21,7 @@ from shaketable.report.words.hazard import (
     chance,
     note,
     of_inventory,
+    of_totals,
     once_in,
     where,
 )
@@ -29,27 +32,35 @@ MOST_DRAWN = 6
 
 def write_hazard(
     rates: ObjectRates,
+    totals: LossTotals | None,
     years: float,
     run: Mapping[str, object],
     folder: Path,
     *,
+    exports: Callable[[Path], object] | None = None,
     overwrite: bool = False,
 ) -> None:
     """Write all the files of the rates of an inventory, or none.
 
     Args:
         rates: what `object_rates` gives.
+        totals: what `loss_totals` gives of them; None where no object has a function.
         years: for which probabilities are told.
         run: what makes the run repeatable.
         folder: new, or one of earlier results with `overwrite`.
+        exports: writes jobs of loss tools into the folder that it is given.
     """
+    tables = {"rates": rates.table(years), "levels": levels_table(rates)}
+    if totals is not None:
+        tables |= {"totals": totals.table(), "loss_curve": totals.curve_table()}
     write_folder(
         folder,
         run,
         overwrite=overwrite,
-        tables={"rates": rates.table(years), "levels": levels_table(rates)},
-        pictures=(Picture(*each) for each in _figures(rates)),
-        page=lambda pictures: render(rates, years, run, pictures),
+        tables=tables,
+        pictures=(Picture(*each) for each in _figures(rates, totals)),
+        page=lambda pictures: render(rates, totals, years, run, pictures),
+        others=exports,
     )
 
 
@@ -68,7 +79,17 @@ def levels_table(rates: ObjectRates) -> pd.DataFrame:
     return pd.DataFrame(rows)
 
 
-def _figures(rates: ObjectRates) -> Iterator[tuple[str, str, Figure]]:
+def _figures(rates: ObjectRates, totals: LossTotals | None) -> Iterator[tuple[str, str, Figure]]:
+    if totals is not None:
+        figure = Figure(figsize=(6.4, 4.4), layout="constrained")
+        plot_losses(totals, figure.subplots())
+        yield (
+            "losses",
+            "How often a year more than each loss happens at once. Bars are 95 % intervals, over "
+            "the earthquakes of the fragility functions; crosses come from shaking beyond the "
+            "hazard curve.",
+            figure,
+        )
     figure = Figure(figsize=(6.4, 4.4), layout="constrained")
     plot_hazard(rates.hazard, figure.subplots())
     yield "hazard", "How often a year the ground is shaken by more than each level.", figure
@@ -90,6 +111,7 @@ def _figures(rates: ObjectRates) -> Iterator[tuple[str, str, Figure]]:
 
 def render(
     rates: ObjectRates,
+    totals: LossTotals | None,
     years: float,
     run: Mapping[str, object],
     pictures: Sequence[Mapping[str, str]],
@@ -124,6 +146,8 @@ def render(
             unit=unit.name,
             years=f"{years:g}",
             rows=rows,
+            totals=of_totals(totals) if totals else [],
+            periods=_periods(totals) if totals else [],
             places=any(row["where"] for row in rows),
             without=[
                 {"who": one.item.called(one.number), "why": one.curve.problem} for one in without
@@ -134,3 +158,17 @@ def render(
             run=run,
         )
     )
+
+
+def _periods(totals: LossTotals) -> list[dict[str, Any]]:
+    """Rows of losses at return periods."""
+    return [
+        {
+            "years": f"{each.years:g}",
+            "loss": f"{each.loss:,.4g}",
+            "interval": f"{each.low:,.4g} to {each.high:,.4g}",
+            "varied": [f"{losses[k]:,.4g}" for losses in totals.varied.values()],
+            "note": "beyond the hazard curve" if each.beyond_curve else "",
+        }
+        for k, each in enumerate(totals.periods)
+    ]

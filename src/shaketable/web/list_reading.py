@@ -163,7 +163,7 @@ def _sent(row: Sequence[Cell], table: Table) -> list[str]:
     columns = {k: column.meaning for k, column in enumerate(table.columns) if column}
     return [
         ""
-        if cell.shared and columns.get(k) in ("mass", "quantity")
+        if cell.shared and columns.get(k) in ("mass", "quantity", "cost")
         else cell.text or (UNREADABLE if cell.wrong else "")
         for k, cell in enumerate(row)
     ]

@@ -10,6 +10,7 @@ from shaketable.fragility.shown import in_words
 from shaketable.hazard import AnnualRate, Hazard
 from shaketable.hazard.objects import ObjectRate, ObjectRates
 from shaketable.hazard.rates import MUCH
+from shaketable.hazard.totals import LossTotals
 from shaketable.language import number, tell, translated
 from shaketable.report.words.headline import floor_name
 from shaketable.report.words.numbers import counted
@@ -163,6 +164,76 @@ def of_inventory(rates: ObjectRates, years: float) -> list[str]:
             )
         )
     return sentences
+
+
+def of_totals(totals: LossTotals) -> list[str]:
+    """What all pieces lose together, in sentences."""
+    low, high = totals.average_interval
+    average, least, most = (_amount(each) for each in (totals.average, low, high))
+    if totals.in_cost:
+        first = tell(
+            "Of a value of {value}, in the currency of the list, {average} are lost in a year on "
+            "average ({least} to {most}).",
+            value=_amount(totals.value),
+            average=average,
+            least=least,
+            most=most,
+        )
+    else:
+        first = tell(
+            "On average {average} pieces fall in a year ({least} to {most}).",
+            average=average,
+            least=least,
+            most=most,
+        )
+    said = [first]
+    for k, each in enumerate(totals.periods):
+        if each.years == USUAL:
+            alone, together = (_amount(losses[k]) for losses in totals.varied.values())
+            said.append(
+                tell(
+                    "Once in {years:g} years more than {loss} are lost at once ({least} to "
+                    "{most}). That holds if alike pieces fall together and different kinds to "
+                    "{kinds:.0f} %; it would be {alone} if each piece fell by itself, and "
+                    "{together} if all fell together.",
+                    years=each.years,
+                    loss=_amount(each.loss),
+                    least=_amount(each.low),
+                    most=_amount(each.high),
+                    kinds=100 * totals.correlation.kinds,
+                    alone=alone,
+                    together=together,
+                )
+            )
+    beyond = [f"{each.years:g}" for each in totals.periods if each.beyond_curve]
+    if beyond:
+        said.append(
+            tell(
+                "Losses of once in {years} years come from shaking beyond the hazard curve, which "
+                "is taken to go straight on: they are no result.",
+                years=", ".join(beyond),
+            )
+        )
+    for names, why in (
+        (totals.without_cost, "without a cost"),
+        (totals.without_function, "without a fragility function"),
+    ):
+        if names:
+            said.append(
+                tell(
+                    "Not counted, {why}: {names}.",
+                    why=translated(why),
+                    names=named(names, MOST_NAMED),
+                )
+            )
+    return said
+
+
+def _amount(value: float) -> str:
+    """An amount in three digits, or in whole numbers where it is large."""
+    if not np.isfinite(value):
+        return translated("not known")
+    return number(value, ",.0f") if abs(value) >= 100.0 else number(value, ".3g")
 
 
 def _years(value: float) -> str:
