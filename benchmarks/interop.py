@@ -110,7 +110,7 @@ def by_pelicun(found: Fragility, environments: Path, work: Path) -> None:
 def whole_jobs(environments: Path, work: Path) -> None:
     """The jobs of the example campus, each object with a cost, beside the totals here."""
     rows = pd.read_csv(EXAMPLES / "campus.csv", dtype=str)
-    rows["cost"] = 100.0 * (1.0 + np.arange(len(rows)))
+    rows["replacement_cost"] = 100.0 * (1.0 + np.arange(len(rows)))
     rows.to_csv(work / "campus.csv", index=False)
     hazard = read_hazard(EXAMPLES / "hazard.csv")
     rates = object_rates(
