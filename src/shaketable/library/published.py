@@ -6,13 +6,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from shaketable.errors import InputError, named, quoted, refused
-from shaketable.library.table import COLUMNS, NUMBER, TEXT, WHOLE
+from shaketable.library.table import COLUMNS, TEXT, WHOLE
 
 if TYPE_CHECKING:
     import pandas as pd
 
 MOST_NAMED = 5
-KINDS = {TEXT: "string", NUMBER: "float64", WHOLE: "Int64"}
 
 
 def read_library_table(path: str | Path) -> pd.DataFrame:
@@ -51,7 +50,7 @@ def read_library_table(path: str | Path) -> pd.DataFrame:
             found = quoted(str(table[name][wrong[0]]))
             line = f"line {int(wrong[0]) + 2}"
             raise refused(path, f"expected a number, found {found}", where=line, column=name)
-        table[name] = numbers.astype(KINDS[column.kind])
+        table[name] = numbers.astype("Int64" if column.kind == WHOLE else "float64")
     return table[list(COLUMNS)]
 
 

@@ -18,6 +18,7 @@ from shaketable.report.html import pages
 from shaketable.report.results_folder import Picture, write_folder
 from shaketable.report.words.hazard import (
     NOT_CONSIDERED,
+    amount,
     chance,
     note,
     of_inventory,
@@ -165,9 +166,9 @@ def _periods(totals: LossTotals) -> list[dict[str, Any]]:
     return [
         {
             "years": f"{each.years:g}",
-            "loss": f"{each.loss:,.4g}",
-            "interval": f"{each.low:,.4g} to {each.high:,.4g}",
-            "varied": [f"{losses[k]:,.4g}" for losses in totals.varied.values()],
+            "loss": amount(each.loss),
+            "interval": f"{amount(each.low)} to {amount(each.high)}",
+            "varied": [amount(losses[k]) for losses in totals.varied.values()],
             "note": "beyond the hazard curve" if each.beyond_curve else "",
         }
         for k, each in enumerate(totals.periods)

@@ -169,12 +169,12 @@ def of_inventory(rates: ObjectRates, years: float) -> list[str]:
 def of_totals(totals: LossTotals) -> list[str]:
     """What all pieces lose together, in sentences."""
     low, high = totals.average_interval
-    average, least, most = (_amount(each) for each in (totals.average, low, high))
+    average, least, most = (amount(each) for each in (totals.average, low, high))
     if totals.in_cost:
         first = tell(
             "Of a value of {value}, in the currency of the list, {average} are lost in a year on "
             "average ({least} to {most}).",
-            value=_amount(totals.value),
+            value=amount(totals.value),
             average=average,
             least=least,
             most=most,
@@ -189,7 +189,7 @@ def of_totals(totals: LossTotals) -> list[str]:
     said = [first]
     for k, each in enumerate(totals.periods):
         if each.years == USUAL:
-            alone, together = (_amount(losses[k]) for losses in totals.varied.values())
+            alone, together = (amount(losses[k]) for losses in totals.varied.values())
             said.append(
                 tell(
                     "Once in {years:g} years more than {loss} are lost at once ({least} to "
@@ -197,9 +197,9 @@ def of_totals(totals: LossTotals) -> list[str]:
                     "{kinds:.0f} %; it would be {alone} if each piece fell by itself, and "
                     "{together} if all fell together.",
                     years=each.years,
-                    loss=_amount(each.loss),
-                    least=_amount(each.low),
-                    most=_amount(each.high),
+                    loss=amount(each.loss),
+                    least=amount(each.low),
+                    most=amount(each.high),
                     kinds=100 * totals.correlation.kinds,
                     alone=alone,
                     together=together,
@@ -229,7 +229,7 @@ def of_totals(totals: LossTotals) -> list[str]:
     return said
 
 
-def _amount(value: float) -> str:
+def amount(value: float) -> str:
     """An amount in three digits, or in whole numbers where it is large."""
     if not np.isfinite(value):
         return translated("not known")

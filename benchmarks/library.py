@@ -1,0 +1,202 @@
+"""`python -m benchmarks.library STORE`: how far a library's rows can be trusted, and what it costs.
+
+STORE is that of `shaketable campaign run library/edition-1.0.toml`. Printed are: rows drawn at
+random beside new simulations with other draws of their things; whether medians from one half of the
+earthquakes agree with those from the other half as their intervals say; medians of one shape in
+several sizes; and the cost of the whole library, from the seconds of a case of each kind.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from collections import defaultdict
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from shaketable.campaign.description import read_campaign
+from shaketable.campaign.kinds import work_of
+from shaketable.campaign.libraries import Libraries, runs_of
+from shaketable.campaign.objects import Objects
+from shaketable.fragility.limit_states import OVERTURNS, LimitState
+from shaketable.fragility.lognormal import Points, fit_many, reflected
+from shaketable.library.case import Case
+from shaketable.library.fitted import Shaking, functions_of_case
+from shaketable.library.measures import measure_of
+from shaketable.library.shaken import CaseRuns, motions_under, simulated
+from shaketable.progress import duration
+from shaketable.resampling import nested_resamples
+
+WHOLE = Path(__file__).parents[1] / "library" / "whole.toml"
+STATE, MEASURE = LimitState(OVERTURNS), "PGV"
+#: How it is held, whether it stands on a floor, and whether it is round.
+Slope = tuple[str, bool, bool]
+OTHER_SEED = 1000
+HALVES = 40  # ways to part the earthquakes
+CLUSTER = 256  # cores
+#: An H100 simulates half as many boxes as 16 cores beside it (docs/how_to/campaigns.md), so four
+#: times as many as two; free things alone, as walls and straps have no kernel there.
+ON_GPU = 4.0
+
+
+def direct(work: Libraries, runs: list[CaseRuns], rows: int, seed: int) -> None:
+    """Rows at random beside new simulations: other things of the kind, other directions."""
+    random = np.random.default_rng(seed)
+    shaking = Shaking(work.ground, seed=0)
+    given = {"states": [STATE], "measures": [MEASURE]}
+    inside, departs, shares = [], [], []
+    order = random.permutation(work.blocks).tolist()
+    for number in order:
+        case = work.cases[number]
+        (one,) = functions_of_case(case, runs[number], shaking, seed=work.library.seed, **given)
+        if one.problem:
+            continue
+        scales = np.unique(runs[number].scale)
+        again = simulated(
+            case, motions_under(case, work.ground), seed=OTHER_SEED, scales=scales.tolist()
+        )
+        once = shaking.levels(case, measure_of(MEASURE))
+        (new,) = functions_of_case(case, again, shaking, seed=OTHER_SEED, **given)
+        low, high = one.curve.median_interval
+        inside.append(low <= new.curve.median <= high)
+        departs.append(new.curve.median / one.curve.median - 1.0)
+        # how many fall at each scale, and how many the row says
+        level = once[again.draw % len(once)] * again.scale
+        told = replace(one.curve, more_beta=0.0).probability(level)
+        shares += [
+            again.fell[again.scale == scale].mean() - told[again.scale == scale].mean()
+            for scale in scales
+        ]
+        if len(inside) == rows:
+            break
+    print(f"{len(inside)} rows at random, simulated again with other draws: {sum(inside)} medians "
+          f"within the row's interval; they depart by {100 * np.std(departs):.1f} % (standard "
+          f"deviation), {100 * np.abs(departs).max():.0f} % at most; shares of falls at a scale by "
+          f"{100 * np.sqrt(np.mean(np.square(shares))):.1f} % (root mean square)")  # fmt: skip
+
+
+def held_out(work: Libraries, runs: list[CaseRuns], seed: int) -> None:
+    """Medians from half of the earthquakes beside those from the others."""
+    random = np.random.default_rng(seed)
+    shaking = Shaking(work.ground, draws=0)
+    measure, events = measure_of(MEASURE), int(shaking.event.max()) + 1
+    z: list[float] = []
+    for case, found in zip(work.cases, runs, strict=True):
+        level = shaking.levels(case, measure)[found.draw % len(shaking.ground)] * found.scale
+        if not 0.1 < found.fell.mean() < 0.9:
+            continue
+        recording = shaking.recording[found.draw % len(shaking.ground)]
+        for k in range(max(1, HALVES // 20)):
+            first = random.permutation(events)[: events // 2]
+            parts = []
+            for here in (np.isin(shaking.event, first), ~np.isin(shaking.event, first)):
+                parts.append(_half(level, found.fell, recording, shaking.event, here, k))
+            (a, sa), (b, sb) = parts
+            if np.isfinite([a, b, sa, sb]).all():
+                z.append((a - b) / np.hypot(sa, sb))
+    share = np.mean(np.abs(z) < 1.96)
+    print(f"{len(z)} medians from nine earthquakes beside those from the other nine: "
+          f"{100 * share:.1f} % agree within 1.96 standard errors of the difference; z has a "
+          f"standard deviation of {np.std(z):.2f}")  # fmt: skip
+
+
+def _half(
+    level: NDArray[np.float64],
+    fell: NDArray[np.bool_],
+    recording: NDArray[np.intp],
+    event: NDArray[np.intp],
+    here: NDArray[np.bool_],
+    seed: int,
+) -> tuple[float, float]:
+    """ln θ of the recordings of some earthquakes, and its standard error."""
+    some = here[recording]
+    _, mine = np.unique(recording[some], return_inverse=True)
+    _, of_event = np.unique(event[here], return_inverse=True)
+    points = Points(level[some], fell[some].astype(np.int64), np.ones(some.sum(), np.int64), mine)
+    fits = fit_many(points, nested_resamples(of_event, 60, seed))
+    draws = np.log(reflected(fits.median))
+    return float(np.log(fits.median[0])), float(np.nanstd(draws))
+
+
+def monotone(work: Libraries, runs: list[CaseRuns]) -> None:
+    """Medians of one shape in several sizes: the larger, the stronger the shaking that it takes."""
+    shaking = Shaking(work.ground, draws=0)
+    found: dict[tuple[str, str, str], dict[float, float]] = defaultdict(dict)
+    for case, runs_of_case in zip(work.cases, runs, strict=True):
+        if case.thing.size == "middle" and case.tilt == 0.0:
+            (one,) = functions_of_case(
+                case, runs_of_case, shaking, states=[STATE], measures=[MEASURE],
+                seed=work.library.seed,
+            )  # fmt: skip
+            key = case.thing.kind, case.stand.name, case.held.name
+            found[key][case.thing.scale] = one.curve.median
+    print("\n| thing, place, held | θ at 0.7, 1 and 1.4 times its size: PGV [cm/s] | rises |\n"
+          "|---|---|---|")  # fmt: skip
+    for key, sizes in found.items():
+        if len(sizes) > 1:
+            medians = [sizes[scale] for scale in sorted(sizes)]
+            rises = all(a < b for a, b in pairwise(medians))
+            told = ", ".join(f"{100 * each:.0f}" for each in medians)
+            print(f"| {', '.join(key)} | {told} | {'yes' if rises else 'no'} |")
+
+
+def cost(work: Libraries, runs: list[CaseRuns]) -> None:
+    """What this library costs, and what the whole one would, by a case of each slope."""
+    alike: dict[Slope, list[int]] = defaultdict(list)
+    for number, case in enumerate(work.cases):
+        alike[_slope(case)].append(number)
+    seconds = {}
+    for key, numbers in alike.items():
+        case = work.cases[numbers[len(numbers) // 2]]
+        motions = motions_under(case, work.ground)
+        start = time.perf_counter()
+        simulated(case, motions, seed=work.library.seed)
+        seconds[key] = time.perf_counter() - start
+    done = sum(seconds[key] * len(numbers) for key, numbers in alike.items())
+    simulations = sum(each.fell.size for each in runs)
+    print(f"\nthis library: {work.blocks} cases, {simulations:,} simulations, {duration(done)}")
+    whole = read_campaign(WHOLE)
+    assert isinstance(whole, Libraries)
+    total, free = 0.0, 0.0
+    for case in whole.cases:
+        total += seconds[_slope(case)]
+        free += 0.0 if case.held.wall_gap is not None else seconds[_slope(case)]
+    things = len({case.thing.name for case in whole.cases})
+    print(f"the whole: {whole.blocks:,} cases of {things} things; {duration(total)} on two cores "
+          f"like these, {duration(2 * total / CLUSTER)} on {CLUSTER} such cores")  # fmt: skip
+    print(f"its free things alone: {duration(free)} on two cores, {duration(free / ON_GPU)} on a "
+          "GPU on paper")  # fmt: skip
+    for (held, on_floor, is_round), each in sorted(seconds.items()):
+        print(f"  {held:6} {'floor ' if on_floor else 'ground'} "
+              f"{'round' if is_round else 'box  '} {each:.1f} s a case")  # fmt: skip
+
+
+def _slope(case: Case) -> Slope:
+    """What decides how long a case takes."""
+    held = "strap" if case.held.strength else "wall" if case.held.wall_gap is not None else "free"
+    held = "table" if case.held.edge is not None else held
+    return held, case.stand.building is not None, case.thing.round
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("store")
+    parser.add_argument("--rows", type=int, default=20)
+    parser.add_argument("--seed", type=int, default=0)
+    given = parser.parse_args()
+    objects = Objects(given.store)
+    work = work_of(objects)
+    assert isinstance(work, Libraries)
+    runs = runs_of(work, objects)
+    direct(work, runs, given.rows, given.seed)
+    held_out(work, runs, given.seed)
+    monotone(work, runs)
+    cost(work, runs)
+
+
+if __name__ == "__main__":
+    main()
