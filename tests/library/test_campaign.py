@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
@@ -10,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import pytest
+import scipy.stats
 
 from shaketable import InputError
 from shaketable.campaign.description import read_campaign
@@ -153,6 +155,32 @@ def test_rows_are_what_loss_tools_read(folder: Path) -> None:
     assert library.loc[row.id, "Demand-Type"] == "Peak Ground Velocity"
     floor = pd.read_csv(folder / "out" / "pelicun_floor_PGV_fragility.csv", index_col=0)
     assert set(floor["Demand-Type"]) == {"Peak Floor Velocity"}
+
+
+def test_rows_are_what_ned_and_pyincore_read(folder: Path) -> None:
+    """NED has floors alone, the ground as one of them; pyincore evaluates what it is given."""
+    table = read_library_table(folder / "out" / "functions.csv")
+    (row,) = found_rows(
+        table, words="ground", limit_state="overturns", measure="PGV"
+    ).itertuples()  # fmt: skip
+    models = json.loads((folder / "out" / "ned_fragility_model.json").read_text())
+    curves = json.loads((folder / "out" / "ned_fragility_curve.json").read_text())
+    of_floors = table["measure"].eq("floor PGV") | (
+        table["measure"].eq("PGV") & table["place"].eq("ground")
+    )
+    assert len(models) == len(curves) == int((of_floors & table["median"].notna()).sum())
+    (curve,) = [one for one in curves if one["fragility_model"].endswith(f"{row.id}.PGV")]
+    assert curve["median"] == pytest.approx(row.median, abs=1e-4)
+    assert curve["edp_metric"] == "Peak Floor Velocity"
+    assert curve["num_observations"] == row.recordings
+    sets = {one["id"]: one for one in json.loads(
+        (folder / "out" / "pyincore_PGV.json").read_text())}  # fmt: skip
+    (rule,) = sets[row.id]["fragilityCurves"][0]["rules"]
+    at = {"math": math, "scipy": scipy, "PGV": 100.0 * row.median}
+    assert eval(rule["expression"], at) == pytest.approx(0.5, abs=1e-4)
+    of_sa = json.loads((folder / "out" / "pyincore_SA_1.0.json").read_text())
+    assert of_sa[0]["demandTypes"] == ["1.0 SA"]
+    assert not (folder / "out" / "pyincore_floor_PGV.json").exists()
 
 
 def test_the_page_holds_every_row(folder: Path) -> None:

@@ -21,6 +21,7 @@ from shaketable.fragility.pelicun import FILES, write_into
 from shaketable.fragility.shown import unit_shown
 from shaketable.library.exported import exports_of
 from shaketable.library.measures import measure_of
+from shaketable.library.other_formats import ned_tables, pyincore_sets
 from shaketable.library.table import COLUMNS
 from shaketable.report.html import pages
 from shaketable.report.results_folder import write_folder
@@ -79,11 +80,15 @@ def write_library(
                 _write_pelicun(fresh, word, export)
             except InputError as error:
                 log.info("%s not written for pelicun: %s", name, error)
+            if sets := pyincore_sets(table, name, title):
+                _write_json(sets, fresh / f"pyincore_{word}.json")
+        ned = ned_tables(table, f"{title}, edition {edition}")
+        _write_json(ned.models, fresh / "ned_fragility_model.json")
+        _write_json(ned.curves, fresh / "ned_fragility_curve.json")
 
     def finish(fresh: Path) -> None:
         package = data_package(fresh, title, edition, run)
-        text = json.dumps(package, indent=2, ensure_ascii=False)
-        (fresh / PACKAGE).write_text(text + "\n", encoding="utf-8")
+        _write_json(package, fresh / PACKAGE)
 
     return write_folder(
         folder,
@@ -95,6 +100,11 @@ def write_library(
         others=others,
         finish=finish,
     )
+
+
+def _write_json(value: object, path: Path) -> None:
+    text = json.dumps(value, indent=1, ensure_ascii=False)
+    path.write_text(text + "\n", encoding="utf-8")
 
 
 def file_word(measure: str) -> str:
