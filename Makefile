@@ -101,4 +101,4 @@ lock: $(VENV)/installed
 	$(LOCKING) --extra docs --constraints $(LOCK) --output-file requirements-docs.lock pyproject.toml
 
 clean:
-	rm -rf $(VENV) out dist build docs/_build docs/gallery_of_examples docs/reference/api docs/reference/commands docs/reference/backreferences .pytest_cache .ruff_cache .mypy_cache .hypothesis
+	rm -rf $(VENV) out dist build docs/_build docs/gallery_of_examples docs/reference/api docs/reference/commands docs/reference/backreferences docs/library_page .pytest_cache .ruff_cache .mypy_cache .hypothesis

@@ -14,7 +14,7 @@ from weakref import WeakSet
 DOCS = Path(__file__).parent
 sys.path.insert(0, str(DOCS))
 
-from generated import escaped, write_api, write_commands  # noqa: E402
+from generated import escaped, write_api, write_commands, write_library  # noqa: E402
 from matplotlib.axes import Axes  # noqa: E402
 from sphinx_gallery.scrapers import figure_rst  # noqa: E402
 
@@ -132,6 +132,7 @@ if not RUN:  # the language of a notebook is known once it has run
 
 write_api(DOCS / "reference")
 write_commands(DOCS / "reference")
+write_library(DOCS / "library_page", DOCS.parent / "library" / "edition-1.0.csv", "1.0")
 
 
 def escape_bars(app: Any, what: str, name: str, obj: Any, options: Any, lines: list[str]) -> None:

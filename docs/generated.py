@@ -19,6 +19,27 @@ from shaketable.cli import app
 from shaketable.cli.lazy import SUMMARIES
 
 
+def write_library(folder: Path, table: Path, edition: str) -> None:
+    """Write the page that searches a published library.
+
+    Args:
+        folder: for the page.
+        table: its rows.
+        edition: what they are called.
+    """
+    from shaketable.library.published import read_library_table
+    from shaketable.report.library import render
+
+    folder.mkdir(exist_ok=True)
+    run = {
+        "versions": {"shaketable": shaketable.__version__},
+        "command": f"shaketable campaign collect, {table.name}",
+        "finished": f"edition {edition}",
+    }
+    page = render(read_library_table(table), "Unanchored things", edition, run)
+    (folder / f"edition-{edition}.html").write_text(page, encoding="utf-8")
+
+
 class Group(NamedTuple):
     """Names that belong together, with the pages that tell how to use them."""
 

@@ -22,7 +22,13 @@ LINK = re.compile(r"!?\[[^\]]*\]\(<?([^)\s>]+)>?\)")
 #: Pages of the site that docs/generated.py and the gallery make: they are not in the repository.
 MADE = tuple(
     DOCS / place
-    for place in ("reference/commands", "reference/api", "gallery_of_examples", "_build")
+    for place in (
+        "reference/commands",
+        "reference/api",
+        "gallery_of_examples",
+        "library_page",
+        "_build",
+    )
 )
 PAGES = sorted(
     page

@@ -55,7 +55,7 @@ def simulated(ground: list[Motion], seed: int = 1) -> CaseRuns:
     fell = np.log(level / MEDIAN) > spread - CG * cg
     none = np.zeros(draw.size, np.float32)
     return CaseRuns(
-        draw=draw, scale=scale, fell=fell, off=fell & False,
+        draw=draw, scale=scale, fell=fell, leans=fell & False, off=fell & False,
         rotation=np.where(fell, 1.0, 0.0).astype(np.float32), farthest=none, reach=none,
         force=none, broke=fell & False, moving=np.arange(draw.size) % 20 == 0,
     )  # fmt: skip
@@ -123,13 +123,14 @@ def test_states_are_reached_by_what_they_say() -> None:
 
     fell, no = np.array([False, False, True]), np.zeros(3, np.bool_)
     runs = CaseRuns(
-        draw=np.zeros(3, np.int32), scale=np.ones(3), fell=fell, off=fell, moving=no, broke=no,
+        draw=np.zeros(3, np.int32), scale=np.ones(3), fell=fell, leans=np.array([True, False, False]),
+        off=fell, moving=no, broke=no,
         rotation=column(0.0, 0.01, 0.0), farthest=column(0.099, 0.1, 0.0),
         reach=column(0.79, 0.8, 2.0), force=column(0, 0, 0),
     )  # fmt: skip
     for text, expected in {
         "uplift": [False, True, True], "slides 0.1 m": [False, True, True],
-        "walks off": [False, False, True], "overturns": [False, False, True],
+        "walks off": [False, False, True], "overturns": [True, False, True],
         "reaches 0.8 m": [False, True, True],
     }.items():  # fmt: skip
         state = limit_state(text)

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
+from importlib.metadata import version
 from typing import Any, ClassVar
 
 from shaketable.campaign.as_json import KINDS, from_json, to_json
@@ -43,7 +44,8 @@ LIBRARY_KINDS: dict[str, type] = KINDS | {
 #: Sources that decide what a case's simulations give.
 CASES = (
     "library/thing.py", "library/case.py", "library/draws.py", "library/shaken.py",
-    "library/reach.py", "synthesis/floors.py", "inventory/catalogue/__init__.py",
+    "library/reach.py", "synthesis/floors.py", "oscillators/*.py", "fragility/cloud.py",
+    "inventory/catalogue/__init__.py",
     "inventory/catalogue/things.csv",
 )  # fmt: skip
 
@@ -101,7 +103,7 @@ class Libraries:
     @staticmethod
     def environment() -> dict[str, str]:
         """The code and the versions here, on which the results depend."""
-        return environment(*DECIDING, *CASES)
+        return environment(*DECIDING, *CASES) | {"scipy": version("scipy")}
 
     def fingerprint(self) -> dict[str, Any]:
         return {

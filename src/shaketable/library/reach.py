@@ -7,9 +7,20 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from shaketable.library.case import Case
 from shaketable.solid import Solid
 
 ROUND = 32  # corners that stand for a circle
+
+
+def wall_behind(case: Case) -> float:
+    """From the back of the base of a case's thing to the wall [m]; 0 where there is none.
+
+    The gap is that of the nearest point: on a tilt toward the wall, the upper edge of the back.
+    """
+    if case.held.wall_gap is None:
+        return 0.0
+    return case.held.wall_gap + case.thing.height * math.sin(case.tilt)
 
 
 def reach_from_wall(
@@ -29,7 +40,7 @@ def reach_from_wall(
     Args:
         solid: its back is toward its own +x.
         orientation: by which it is turned at the start [rad]; the wall stands toward it.
-        gap: from its back to the wall [m].
+        gap: from the back of its base to the wall [m].
         fell: whether it fell, (run,).
         shift: how far its foot came along x and y, (run, 2) [m].
         yaw: by which it turned [rad], (run,).

@@ -77,13 +77,14 @@ THINGS = (
 MOST_NAMED = 5
 
 T = TypeVar("T")
+N = TypeVar("N", Stand, Held)
 
 
 def read_library(told: TomlFile) -> Library:
     """The library that a file describes; what is wrong with it is noted as faults of the file."""
     told.accept(SCHEMA)
-    stands = {each.name: each for each in _each(told, "places", PLACE, _stand)}
-    held = {each.name: each for each in _each(told, "held", HELD, _held)}
+    stands = _named(told, "places", PLACE, _stand)
+    held = _named(told, "held", HELD, _held)
     cases: dict[str, Case] = {}
     for table in told.tables("things"):
         table.accept(THINGS)
@@ -116,21 +117,31 @@ def read_library(told: TomlFile) -> Library:
     )
 
 
-def _each(
-    told: TomlFile, section: str, keys: Sequence[str], made: Callable[[TomlTable], T]
-) -> Iterator[T]:
+def _named(
+    told: TomlFile, section: str, keys: Sequence[str], made: Callable[[TomlTable], N]
+) -> dict[str, N]:
+    """What the tables of a name describe, by their names, of which none may be there twice."""
+    found: dict[str, N] = {}
     for table in told.tables(section):
         table.accept(keys)
         try:
-            yield made(table)
+            one = made(table)
         except InputError as error:
             table.fault("name", str(error))
+            continue
+        if one.name in found:
+            table.fault("name", f"{quoted(one.name)} is there twice")
+        found[one.name] = one
+    return found
 
 
 def _stand(table: TomlTable) -> Stand:
     name = table.text("name", "ground")
     if "storeys" not in table.table:
-        return Stand(name=name, floor=_whole(table, "floor", 0))
+        for key in ("first_period_s", "damping", "floor"):
+            if key in table.table:
+                table.fault(key, "is of a building: give its storeys as well")
+        return Stand(name=name)
     building = ShearBuilding(
         storeys=_whole(table, "storeys", 1),
         first_period=table.number_from("first_period_s", 1.0, 0.01, 100.0) or 1.0,
@@ -155,6 +166,8 @@ def _held(table: TomlTable) -> Held:
 
 def _whole(table: TomlTable, key: str, default: int) -> int:
     found = table.number_from(key, default, 0, 1000)
+    if found is not None and found != int(found):
+        table.fault(key, f"expected a whole number, found {found:g}")
     return default if found is None else int(found)
 
 
@@ -171,8 +184,11 @@ def _cases(
     kinds = table.values("kinds", [])
     label, lengths = table.text("label", ""), None
     if "lengths_m" in table.table:
-        depth, width, height, *_ = [*_numbers(table, "lengths_m", [1.0] * 3), 1.0, 1.0]
-        lengths = depth, width, height
+        given = _numbers(table, "lengths_m", [1.0] * 3)
+        if len(given) == 3:
+            lengths = given[0], given[1], given[2]
+        else:
+            table.fault("lengths_m", f"expected depth, width and height, found {given}")
     for kind, size, scale, stand, way, tilt, friction in itertools.product(
         kinds, sizes, scales, places, holding, tilts, ranges
     ):

@@ -16,7 +16,7 @@ from shaketable.engine.endings import not_settled
 from shaketable.fragility.cloud import SATURATED_SHARE, TRIED
 from shaketable.library.case import Case
 from shaketable.library.draws import Draw, draws_of
-from shaketable.library.reach import reach_from_wall
+from shaketable.library.reach import reach_from_wall, wall_behind
 from shaketable.models import General
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
@@ -41,6 +41,7 @@ class CaseRuns:
         draw: number of the draw; its motion is that number modulo the number of motions.
         scale: factor on the motion.
         fell: whether it fell.
+        leans: whether it stands at the end, but leaning on its wall, or still moves in its strap.
         off: whether it went over the edge of its table.
         rotation: largest of its axis from the support's normal [rad].
         farthest: displacement of its foot at any time [m].
@@ -53,6 +54,7 @@ class CaseRuns:
     draw: NDArray[np.int32]
     scale: NDArray[np.float64]
     fell: NDArray[np.bool_]
+    leans: NDArray[np.bool_]
     off: NDArray[np.bool_]
     rotation: NDArray[np.float32]
     farthest: NDArray[np.float32]
@@ -121,7 +123,8 @@ def _telling(pilot: CaseRuns) -> list[float]:
     tried = list(by_scale)
     moved = (pilot.rotation > 0.0) | (pilot.farthest > SLIDES)
     lifted = [moved[which].mean() for which in by_scale.values()]
-    fallen = [pilot.fell[which].mean() for which in by_scale.values()]
+    down = pilot.fell | pilot.leans
+    fallen = [down[which].mean() for which in by_scale.values()]
     quiet = [k for k, share in enumerate(lifted) if share <= SATURATED_SHARE]
     sure = [k for k, share in enumerate(fallen) if share >= 1.0 - SATURATED_SHARE]
     low, high = (max(quiet) if quiet else 0), (min(sure) if sure else len(tried) - 1)
@@ -173,14 +176,15 @@ def _kept(
 ) -> CaseRuns:
     """What is kept of the simulations."""
     down = runs["outcome"] != Outcome.STANDING
+    moving, nowhere = not_settled(runs["ending"]), np.zeros(number.size, np.bool_)
     shift = np.column_stack([runs["displacement_x"], runs["displacement_y"]])
     yaw, toward = runs["yaw"], np.nan_to_num(runs["fall_azimuth"])
     reach = np.empty(number.size)
     for k, draw in enumerate(draws):
         which = number == k
         reach[which] = reach_from_wall(
-            draw.solid, draw.orientation, case.held.wall_gap or 0.0, down[which], shift[which],
-            yaw[which], toward[which],
+            draw.solid, draw.orientation, wall_behind(case), down[which], shift[which], yaw[which],
+            toward[which],
         )  # fmt: skip
     none = np.zeros((number.size, 0))
     force = np.nan_to_num(runs.get("strap_force", none)).max(axis=1, initial=0.0)
@@ -188,11 +192,12 @@ def _kept(
         draw=number,
         scale=scale,
         fell=down,
-        off=runs.get("off_edge", np.zeros(number.size, np.bool_)),
+        leans=~down & (runs.get("leaning", nowhere) | (moving & (case.held.strength is not None))),
+        off=runs.get("off_edge", nowhere),
         rotation=runs["peak_rotation"].astype(np.float32),
         farthest=runs["farthest_displacement"].astype(np.float32),
         reach=reach.astype(np.float32),
         force=(force / STANDARD_GRAVITY).astype(np.float32),
         broke=np.isfinite(runs.get("strap_broke_at", none)).any(axis=1),
-        moving=not_settled(runs["ending"]),
+        moving=moving,
     )

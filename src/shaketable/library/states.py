@@ -17,6 +17,8 @@ from shaketable.fragility.limit_states import (
     limit_state,
 )
 from shaketable.library.case import Case
+from shaketable.library.draws import BASE_DIFFERS
+from shaketable.library.reach import wall_behind
 from shaketable.library.shaken import CaseRuns
 
 
@@ -33,17 +35,28 @@ def state_of_library(text: str) -> LimitState:
 
 
 def has_state(case: Case, state: LimitState) -> bool:
-    """Whether a case can reach a state: a thing on a table walks off, another one reaches far."""
-    on_table = case.held.edge is not None
-    return {WALKS_OFF: on_table, REACHES: not on_table}.get(state.kind, True)
+    """Whether a case can come to a state: what stands on a table walks off it, other things reach.
+
+    A thing that covers the ground so far from the wall before it is shaken has no such state.
+    """
+    if state.kind == WALKS_OFF:
+        return case.held.edge is not None
+    if state.kind == REACHES:
+        at_rest = wall_behind(case) + case.thing.depth * (1.0 + BASE_DIFFERS)
+        return case.held.edge is None and at_rest < state.least
+    return True
 
 
 def reached(state: LimitState, runs: CaseRuns) -> NDArray[np.bool_]:
-    """Whether each simulation reached a state, (run,); what fell has rocked and slid, too."""
+    """Whether each simulation reached a state, (run,).
+
+    What fell has lifted off and slid, too, and what ends leaning on its wall or in its strap has
+    overturned: it is no place to stand under.
+    """
     return {
         UPLIFT: runs.fell | (runs.rotation > 0.0),
         SLIDES: runs.fell | (runs.farthest >= state.least),
         WALKS_OFF: runs.off,
-        OVERTURNS: runs.fell,
+        OVERTURNS: runs.fell | runs.leans,
         REACHES: runs.reach >= state.least,
     }[state.kind]

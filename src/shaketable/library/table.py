@@ -24,6 +24,7 @@ class LibraryColumn(NamedTuple):
     meaning: str
 
 
+DIGITS = 5  # of numbers in files
 TEXT, NUMBER, WHOLE = "string", "number", "integer"
 #: Every column, in order.
 COLUMNS = {
@@ -98,6 +99,18 @@ def table_of(functions: Sequence[LibraryFunction]) -> pd.DataFrame:
     parts = parts_of_beta(functions)
     rows = [_row(one, part) for one, part in zip(functions, parts, strict=True)]
     return pd.DataFrame(rows, columns=list(COLUMNS))
+
+
+def rounded(table: pd.DataFrame) -> pd.DataFrame:
+    """The table with its numbers in DIGITS digits, of which none is lost that an interval knows."""
+    found = table.copy()
+    for name, column in COLUMNS.items():
+        if column.kind == NUMBER:
+            found[name] = [
+                float(f"{value:.{DIGITS}g}") if np.isfinite(value) else np.nan
+                for value in found[name].astype(np.float64)
+            ]
+    return found
 
 
 def parts_of_beta(functions: Sequence[LibraryFunction]) -> list[DrawnBeta]:

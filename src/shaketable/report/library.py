@@ -22,7 +22,7 @@ from shaketable.fragility.shown import unit_shown
 from shaketable.library.exported import exports_of
 from shaketable.library.measures import measure_of
 from shaketable.library.other_formats import ned_tables, pyincore_sets
-from shaketable.library.table import COLUMNS
+from shaketable.library.table import COLUMNS, rounded
 from shaketable.report.html import pages
 from shaketable.report.results_folder import write_folder
 
@@ -67,6 +67,7 @@ def write_library(
     Raises:
         InputError: the folder cannot be written.
     """
+    table = rounded(table)
 
     def others(fresh: Path) -> None:
         exports = exports_of(table, f"{title}, edition {edition}")
