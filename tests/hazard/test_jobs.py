@@ -58,18 +58,49 @@ def test_every_file_of_a_job_is_there(folder: Path) -> None:
 
 
 def test_the_exposure_is_the_list(folder: Path, rates: ObjectRates) -> None:
+    """Of the chest there is no function, and of the tall thing no cost: neither is in it."""
     assets = pd.read_csv(folder / "openquake_assets.csv")
-    assert assets["number"].tolist() == [4, 2, 3]  # of the chest there is no function
-    assert assets["contents"].tolist() == [400.0, 800.0, 3.0]
-    assert assets["building"].tolist() == ["Main_house", "none", "none"]
+    assert assets["number"].tolist() == [4, 2]
+    assert assets["contents"].tolist() == [400.0, 800.0]
+    assert assets["building"].tolist() == ["Main_house", "none"]
     assert set(zip(assets["lon"], assets["lat"], strict=True)) == {(8.5, 47.4)}
     mapping = pd.read_csv(folder / "openquake_taxonomy_mapping.csv").set_index("taxonomy")
     assert (mapping["weight"] == 1).all()
     functions = mapping.loc[assets["taxonomy"], "risk_id"].tolist()
-    assert functions[0] == functions[1] != functions[2]
     root = ET.parse(folder / "openquake_fragility.xml").getroot()
     there = {each.get("id") for each in root.iter(f"{{{NAMESPACE}}}fragilityFunction")}
     assert there == set(functions) == set(exposure_of(rates).functions)
+    assert "currency of the list" in (folder / "openquake_exposure.xml").read_text()
+
+
+def test_what_is_left_out_is_told(folder: Path) -> None:
+    told = pd.read_csv(folder / "left_out.csv").set_index("object")["why"]
+    assert "no simulation reaches overturns" in told["4: chest"]
+    assert told["3: tall (A/B)"] == "it has no replacement cost, and others have"
+
+
+def test_without_costs_pieces_are_counted(p695: list[Motion], tmp_path: Path) -> None:
+    items = [Item(body=SHELF, height=1.8, quantity=4), Item(body=SHELF, height=1.8)]
+    write_jobs(object_rates(items, p695[:24], CURVE, draws=0), tmp_path, JOBS)
+    assert pd.read_csv(tmp_path / "openquake_assets.csv")["contents"].tolist() == [4.0, 1.0]
+    assert 'unit="pieces"' in (tmp_path / "openquake_exposure.xml").read_text()
+    costs = pd.read_csv(tmp_path / "consequence_repair.csv")
+    assert (costs["Incomplete"] == 1).all()
+
+
+def test_a_curve_that_ends_at_zero_ends_there_for_openquake(
+    p695: list[Motion], tmp_path: Path
+) -> None:
+    """Its classical calculation takes the rates between the first level and the last: see there."""
+    ends = Hazard(
+        measure=CURVE.measure, levels=np.append(LEVELS, 4.0), rates=np.append(CURVE.rates, 0.0)
+    )
+    write_jobs(object_rates([Item(body=SHELF, height=1.8)], p695[:24], ends, draws=0), tmp_path,
+               JOBS)  # fmt: skip
+    head, row = (tmp_path / "openquake_hazard_curves.csv").read_text().splitlines()[1:]
+    values = dict(zip(head.split(","), row.split(","), strict=True))
+    last = [float(value) for name, value in values.items() if name.startswith("poe-")][-2:]
+    assert last == [0.0, 0.0]
 
 
 def test_a_vulnerability_function_is_the_probability_of_a_fall(
@@ -95,16 +126,15 @@ def test_the_hazard_is_read_again_as_it_was(folder: Path) -> None:
 
 def test_pelicun_has_quantities_and_costs(folder: Path, rates: ObjectRates) -> None:
     quantities = pd.read_csv(folder / "CMP_QNT.csv", index_col=0)
-    shelf, tall = dict.fromkeys(exposure_of(rates).functions)
-    assert quantities["Theta_0"].to_dict() == {shelf: 6, tall: 3}
+    first, second = exposure_of(rates).functions
+    assert quantities["Theta_0"].to_dict() == {first: 4, second: 2}
+    assert set(quantities["Blocks"]) == {1}
     library = pd.read_csv(folder / "fragility.csv", index_col=0)
     assert set(library["Demand-Type"]) == {"Peak Ground Velocity"}
     costs = pd.read_csv(folder / "consequence_repair.csv", index_col=0)
-    # of 4 shelves of 100 and 2 of 400 a piece costs 200 on average
-    assert costs.loc[f"{shelf}-Cost", "DS1-Theta_0"] == pytest.approx(200.0)
-    assert costs.loc[f"{shelf}-Cost", "Incomplete"] == 0
-    assert costs.loc[f"{tall}-Cost", "Incomplete"] == 1
-    assert np.isnan(costs.loc[f"{tall}-Cost", "DS1-Theta_0"])
+    assert costs.loc[f"{first}-Cost", "DS1-Theta_0"] == 100.0
+    assert costs.loc[f"{second}-Cost", "DS1-Theta_0"] == 400.0
+    assert costs.loc[f"{first}-Cost", "Incomplete"] == 0
 
 
 def test_nothing_is_written_without_functions(p695: list[Motion], tmp_path: Path) -> None:

@@ -83,8 +83,8 @@ def hazard(
     correlation: Annotated[
         str | None,
         typer.Option(
-            help="Of what pieces withstand at a level: of alike ones, and of different kinds, with "
-            "a comma; for the losses of all together. [1,0.7]"
+            help="Correlation of ln of what pieces withstand, between alike pieces and between "
+            "different kinds, with a comma; for the losses of all together. [1,0.7]"
         ),
     ] = None,
     seed: Annotated[int, typer.Option(min=0, help="Seed of the bootstrap.")] = 0,

@@ -138,6 +138,11 @@ class Curve:
         """How many recordings reached the state at any level."""
         return self._recordings_with(self.data.reached > 0)
 
+    @property
+    def always(self) -> bool:
+        """Whether every simulation reached the state, so that the median lies below all of them."""
+        return isinstance(self.data, Points) and bool((self.data.reached >= self.data.trials).all())
+
     def _recordings_with(self, which: NDArray[np.bool_]) -> int:
         return int(np.unique(self.data.recording[which]).size)
 

@@ -94,7 +94,10 @@ def _fit(points: Points, weights: NDArray[np.float64]) -> Fits:
     beta[ordered] = 0.0
     todo = np.flatnonzero(some & ~ordered)
     if todo.size:
-        a, b = scored(np.stack([np.ones_like(z), z]), reached[todo], total[todo]).T
+        columns = np.stack([np.ones_like(z), z])
+        first = scored(columns, reached[todo[:1]], total[todo[:1]])
+        rest = scored(columns, reached[todo[1:]], total[todo[1:]], first[0])
+        a, b = np.concatenate([first, rest]).T
         rising = b > 0.0
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             median[todo] = np.where(rising, np.exp(center - spread * a / b), np.nan)
@@ -103,7 +106,10 @@ def _fit(points: Points, weights: NDArray[np.float64]) -> Fits:
 
 
 def scored(
-    columns: NDArray[np.float64], reached: NDArray[np.float64], total: NDArray[np.float64]
+    columns: NDArray[np.float64],
+    reached: NDArray[np.float64],
+    total: NDArray[np.float64],
+    near: NDArray[np.float64] | None = None,
 ) -> NDArray[np.float64]:
     """Coefficients of probit regressions by Fisher scoring, (set, column).
 
@@ -111,6 +117,7 @@ def scored(
         columns: of what a state depends on, of about unit size, the first of them ones, (column,
             n).
         reached, total: how often it was reached in how many trials, (set, n).
+        near: coefficients near those of all sets, (column,), from which fewer steps are needed.
 
     Returns:
         NaN where the likelihood has no largest value, as all or none reached the state, or what
@@ -121,11 +128,13 @@ def scored(
     if not some.all():
         found = np.full((len(total), len(columns)), np.nan)
         if some.any():
-            found[some] = scored(columns, reached[some], total[some])
+            found[some] = scored(columns, reached[some], total[some], near)
         return found
     coefficients = np.zeros((len(total), len(columns)))
     coefficients[:, 1] = 1.0
     coefficients[:, 0] = _inverse(often / total.sum(axis=1))
+    if near is not None and np.isfinite(near).all():
+        coefficients[:] = near
     pairs = (columns[:, None] * columns).reshape(-1, columns.shape[1]).T
     square = (-1, len(columns), len(columns))
     left = np.arange(len(total))  # sets that still move

@@ -3,29 +3,30 @@
 OpenQuake (3.26) runs `openquake_damage.ini` and `openquake_risk.ini` as they are. The hazard curve
 is that of the site, and each object is an asset of as many pieces; of an object the direction
 counts in which it falls more often, as in `rates.csv`. pelicun (3) takes the library with its
-quantities and costs; the demand at which it is asked comes from whoever asks.
+quantities and costs, a row for each object; the demand at which it is asked comes from whoever
+asks. `left_out.csv` names the objects that are in neither, and why.
 """
 
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 
 from shaketable.atomic_files import write_csv
 from shaketable.body import Body
 from shaketable.errors import InputError
-from shaketable.fragility import Curve
 from shaketable.fragility.exported import Export, Function, identifier_of, ordered, unit_of, word_of
+from shaketable.fragility.intensities import OWN
 from shaketable.fragility.lognormal import probability
 from shaketable.fragility.nrml import NAMESPACE, write_nrml
 from shaketable.fragility.pelicun import FILES, write_into
-from shaketable.fragility.shown import SHOWN
+from shaketable.fragility.shown import SHOWN, MeasureUnit
 from shaketable.hazard.curve import Hazard
 from shaketable.hazard.objects import ObjectRate, ObjectRates
 from shaketable.hazard.totals import BEYOND
@@ -47,7 +48,7 @@ taxonomy_mapping_csv = openquake_taxonomy_mapping.csv
 
 [hazard]
 hazard_curves_csv = openquake_hazard_curves.csv
-asset_hazard_distance = 20000
+asset_hazard_distance = 50
 
 [fragility]
 contents_fragility_file = openquake_fragility.xml
@@ -67,7 +68,7 @@ taxonomy_mapping_csv = openquake_taxonomy_mapping.csv
 
 [hazard]
 hazard_curves_csv = openquake_hazard_curves.csv
-asset_hazard_distance = 20000
+asset_hazard_distance = 50
 
 [vulnerability]
 contents_vulnerability_file = openquake_vulnerability.xml
@@ -84,14 +85,18 @@ class Exposure:
     """Objects with a function, and what is exported of these.
 
     Attributes:
-        export: the functions, each once.
-        objects: those that stand free and have one.
+        export: a function for each object.
+        objects: those that stand free and have one, and a cost where any of them has.
         functions: the identifier of each object's function, (object,).
+        in_cost: whether their values are costs; otherwise a piece has a value of 1.
+        left_out: name of each object that is left out, and why.
     """
 
     export: Export
     objects: tuple[ObjectRate, ...]
     functions: tuple[str, ...]
+    in_cost: bool
+    left_out: tuple[tuple[str, str], ...]
 
 
 def exposure_of(rates: ObjectRates) -> Exposure:
@@ -100,25 +105,24 @@ def exposure_of(rates: ObjectRates) -> Exposure:
     Raises:
         InputError: none of them has a function.
     """
-    objects = [one for one in rates.of_objects().values() if not one.curve.problem]
-    if not objects:
+    every = list(rates.of_objects().values())
+    known = [one for one in every if not one.curve.problem]
+    if not known:
         raise InputError("no object has a fragility function: nothing can be exported")
-    named: dict[Curve, str] = {}
-    for one in objects:
-        if one.curve not in named:
-            where = f" floor {one.floor}" if one.floor else ""
-            name = base = f"{one.item.name}{where} {one.direction}"
-            count = 1
-            while name in named.values():
-                count += 1
-                name = f"{base} {count}"
-            named[one.curve] = name
-    functions = {
-        name: [Function(curve.state, curve.median, curve.beta, curve.caution)]
-        for curve, name in named.items()
-    }
-    about = {name: _about(curve, rates) for curve, name in named.items()}
-    written = tuple(ordered(functions, about))
+    in_cost = any(one.item.cost is not None for one in known)
+    objects = [one for one in known if not in_cost or one.item.cost is not None]
+    names = {one.number: f"{one.item.name} {one.number}" for one in objects}
+    written = tuple(
+        ordered(
+            {
+                names[one.number]: [
+                    Function(one.curve.state, one.curve.median, one.curve.beta, one.curve.caution)
+                ]
+                for one in objects
+            },
+            {names[one.number]: _about(one, rates) for one in objects},
+        )
+    )
     identifiers = {each.name: each.identifier for each in written}
     curve = objects[0].curve
     export = Export(
@@ -127,25 +131,39 @@ def exposure_of(rates: ObjectRates) -> Exposure:
         place=curve.place,
         through_building=any(one.floor for one in objects),
         description=(
-            f"Unanchored rigid bodies under {rates.motions} motions of {curve.recordings} "
-            f"recordings of {curve.events} earthquakes; {rates.hazard.measure.name} of the ground "
-            f"in {{unit}}, {_components(rates)}"
+            f"Unanchored rigid bodies, each in a plane, under {rates.motions} motions of "
+            f"{curve.recordings} recordings of {curve.events} earthquakes; "
+            f"{rates.hazard.measure.name} of the ground in {{unit}}, {_components(rates)}; β is "
+            "that of the motions alone"
         ),
     )
-    return Exposure(export, tuple(objects), tuple(identifiers[named[one.curve]] for one in objects))
+    left_out = [(one.item.called(one.number), one.curve.problem) for one in every
+                if one.curve.problem]  # fmt: skip
+    left_out += [(one.item.called(one.number), "it has no replacement cost, and others have")
+                 for one in known if one not in objects]  # fmt: skip
+    return Exposure(
+        export,
+        tuple(objects),
+        tuple(identifiers[names[one.number]] for one in objects),
+        in_cost,
+        tuple(left_out),
+    )
 
 
 def _components(rates: ObjectRates) -> str:
-    return "any one component" if rates.components == "own" else f"the {rates.components} of both"
+    if rates.components == OWN:
+        return "of any one horizontal component"
+    return f"{rates.components} of both horizontal components"
 
 
-def _about(curve: Curve, rates: ObjectRates) -> str:
-    body = curve.body
+def _about(one: ObjectRate, rates: ObjectRates) -> str:
+    body = one.curve.body
     assert isinstance(body, Body)
+    where = _about_place(one)
     return (
-        f"Base {body.width:.4g} m in the plane of the shaking, centre of gravity at "
-        f"{body.cg_height:.4g} m. The demand is {rates.hazard.measure.name} of the ground, "
-        f"{_components(rates)}."
+        f"{where + ': ' if where else ''}falls {one.direction}; base {body.width:.4g} m in that "
+        f"plane, centre of gravity at {body.cg_height:.4g} m. The demand is "
+        f"{rates.hazard.measure.name} of the ground, {_components(rates)}."
     )
 
 
@@ -161,6 +179,7 @@ def write_jobs(rates: ObjectRates, folder: Path, jobs: Sequence[str]) -> None:
         InputError: a measure that the tool does not know, or nothing to write.
     """
     exposure = exposure_of(rates)
+    write_csv(pd.DataFrame(exposure.left_out, columns=["object", "why"]), folder / "left_out.csv")
     if OPENQUAKE in jobs:
         _write_openquake(exposure, rates.hazard, folder)
     if PELICUN in jobs:
@@ -171,15 +190,12 @@ def _write_openquake(exposure: Exposure, hazard: Hazard, folder: Path) -> None:
     unit = unit_of(hazard.measure, SHOWN, "OpenQuake")
     place = folder / "openquake_"
     write_nrml(exposure.export, Path(f"{place}fragility.xml"))
-    _write_xml(_vulnerability(exposure.export, hazard, unit.factor), f"{place}vulnerability.xml")
-    _write_xml(_exposure_model(), f"{place}exposure.xml")
+    _write_xml(_vulnerability(exposure.export, hazard, unit), f"{place}vulnerability.xml")
+    _write_xml(_exposure_model(exposure), f"{place}exposure.xml")
     write_csv(_assets(exposure, hazard), Path(f"{place}assets.csv"))
-    mapping = {
-        _taxonomy(one): function
-        for one, function in zip(exposure.objects, exposure.functions, strict=True)
-    }
+    taxonomies = [_taxonomy(one) for one in exposure.objects]
     write_csv(
-        pd.DataFrame({"taxonomy": list(mapping), "risk_id": list(mapping.values()), "weight": 1}),
+        pd.DataFrame({"taxonomy": taxonomies, "risk_id": exposure.functions, "weight": 1}),
         Path(f"{place}taxonomy_mapping.csv"),
     )
     _write_curve(exposure, hazard, unit.factor, Path(f"{place}hazard_curves.csv"))
@@ -189,7 +205,7 @@ def _write_openquake(exposure: Exposure, hazard: Hazard, folder: Path) -> None:
 
 
 def _taxonomy(one: ObjectRate) -> str:
-    """What an object is called in an exposure: objects of one name may have several functions."""
+    """What an object is called in an exposure."""
     return f"{identifier_of(one.item.name)}_{one.number}"
 
 
@@ -198,7 +214,7 @@ def _write_xml(root: ET.Element, path: str) -> None:
     Path(path).write_bytes(ET.tostring(root, encoding="utf-8", xml_declaration=True) + b"\n")
 
 
-def _exposure_model() -> ET.Element:
+def _exposure_model(exposure: Exposure) -> ET.Element:
     root = ET.Element("nrml", xmlns=NAMESPACE)
     model = ET.SubElement(
         root, "exposureModel", id="objects", category="contents", taxonomySource="shaketable"
@@ -207,7 +223,8 @@ def _exposure_model() -> ET.Element:
         model, "description"
     ).text = "Unanchored objects; the value of an asset is that of all its pieces"
     costs = ET.SubElement(ET.SubElement(model, "conversions"), "costTypes")
-    ET.SubElement(costs, "costType", name="contents", type="aggregated", unit="USD")
+    unit = "currency of the list" if exposure.in_cost else "pieces"
+    ET.SubElement(costs, "costType", name="contents", type="aggregated", unit=unit)
     ET.SubElement(model, "occupancyPeriods")
     ET.SubElement(model, "tagNames").text = "building floor"
     ET.SubElement(model, "assets").text = "openquake_assets.csv"
@@ -215,14 +232,14 @@ def _exposure_model() -> ET.Element:
 
 
 def _assets(exposure: Exposure, hazard: Hazard) -> pd.DataFrame:
-    """A row for each object; one without a cost has a value of 1 each."""
+    """A row for each object, whose value is that of all its pieces."""
     rows = []
     for one in exposure.objects:
         lon, lat = _place(one, hazard)
-        cost = 1.0 if one.item.cost is None else one.item.cost
+        cost = one.item.cost if exposure.in_cost else 1.0
         rows.append({
             "id": f"object_{one.number}", "lon": lon, "lat": lat, "taxonomy": _taxonomy(one),
-            "number": one.item.quantity, "contents": one.item.quantity * cost,
+            "number": one.item.quantity, "contents": one.item.quantity * (cost or 0.0),
             "building": word_of(one.item.building or "none"), "floor": word_of(one.floor or "0"),
         })  # fmt: skip
     return pd.DataFrame(rows)
@@ -233,7 +250,7 @@ def _place(one: ObjectRate, hazard: Hazard) -> tuple[float, float]:
     return one.item.site or hazard.site or (0.0, 0.0)
 
 
-def _vulnerability(export: Export, hazard: Hazard, factor: float) -> ET.Element:
+def _vulnerability(export: Export, hazard: Hazard, shown: MeasureUnit) -> ET.Element:
     """What is lost on average: all of a piece that falls, nothing of one that stands.
 
     OpenQuake's classical calculation takes no probabilities of single losses, so that their spread
@@ -244,23 +261,29 @@ def _vulnerability(export: Export, hazard: Hazard, factor: float) -> ET.Element:
         root, "vulnerabilityModel", id="shaketable", assetCategory="contents",
         lossCategory="contents",
     )  # fmt: skip
-    ET.SubElement(model, "description").text = export.description.replace("{unit}", "its unit")
+    ET.SubElement(model, "description").text = export.description.replace("{unit}", shown.name)
     levels = _levels(hazard)
     for one in export.functions:
         curve = one.curves[-1]
         falls = probability(levels, np.array(curve.median), np.array(curve.beta))
         function = ET.SubElement(model, "vulnerabilityFunction", id=one.identifier, dist="LN")
         imls = ET.SubElement(function, "imls", imt=export.measure.name)
-        imls.text = " ".join(f"{level:.8g}" for level in factor * levels)
+        imls.text = " ".join(f"{level:.8g}" for level in shown.factor * levels)
         ET.SubElement(function, "meanLRs").text = " ".join(f"{each:.10g}" for each in falls)
         ET.SubElement(function, "covLRs").text = " ".join(["0"] * levels.size)
     return root
 
 
-def _levels(hazard: Hazard) -> np.ndarray[Any, np.dtype[np.float64]]:
-    """Levels of the hazard curve, straight on beyond its ends as in `annual_rate` [SI]."""
+def _levels(hazard: Hazard) -> NDArray[np.float64]:
+    """Levels of the hazard curve, straight on beyond its ends as in `annual_rate` [SI].
+
+    Where the curve ends at zero two levels stand right above its last one: OpenQuake's classical
+    calculation takes the rates between the first and the last level, and no others.
+    """
     known = hazard.levels[: hazard.positive]
-    return np.geomspace(LOWEST * known[0], known[-1] * (1.0 if hazard.ends else BEYOND), STEPS + 1)
+    end = known[-1] * (1.0 if hazard.ends else BEYOND)
+    levels = np.geomspace(LOWEST * known[0], end, STEPS + 1)
+    return np.append(levels, end * np.array([1.001, 1.002])) if hazard.ends else levels
 
 
 def _write_curve(exposure: Exposure, hazard: Hazard, factor: float, path: Path) -> None:
@@ -278,26 +301,21 @@ def _write_curve(exposure: Exposure, hazard: Hazard, factor: float, path: Path) 
 
 
 def _write_pelicun(exposure: Exposure, folder: Path) -> None:
-    write_into(folder, exposure.export, "ground", costs=_costs(exposure))
-    quantity: dict[str, int] = {}
-    for one, function in zip(exposure.objects, exposure.functions, strict=True):
-        quantity[function] = quantity.get(function, 0) + one.item.quantity
+    costs = {
+        function: one.item.cost
+        for one, function in zip(exposure.objects, exposure.functions, strict=True)
+        if one.item.cost is not None
+    }
+    write_into(folder, exposure.export, "ground", costs=costs)
+    # one block: alike pieces fall together, as one motion shakes them all
     rows = [
-        {"ID": name, "Units": "ea", "Location": 1, "Direction": 1, "Theta_0": count,
-         "Blocks": count, "Family": "", "Theta_1": "", "Comment": "all of this kind"}
-        for name, count in quantity.items()
+        {"ID": function, "Units": "ea", "Location": 1, "Direction": 1,
+         "Theta_0": one.item.quantity, "Blocks": 1, "Family": "", "Theta_1": "",
+         "Comment": _about_place(one)}
+        for one, function in zip(exposure.objects, exposure.functions, strict=True)
     ]  # fmt: skip
     write_csv(pd.DataFrame(rows), folder / QUANTITIES)
 
 
-def _costs(exposure: Exposure) -> Mapping[str, float]:
-    """What a piece with each function costs, where its list says it: on average over the pieces."""
-    pieces: dict[str, list[tuple[int, float | None]]] = {}
-    for one, function in zip(exposure.objects, exposure.functions, strict=True):
-        pieces.setdefault(function, []).append((one.item.quantity, one.item.cost))
-    found = {}
-    for function, each in pieces.items():
-        known = [(count, cost) for count, cost in each if cost is not None]
-        if len(known) == len(each):
-            found[function] = sum(n * cost for n, cost in known) / sum(n for n, _ in known)
-    return found
+def _about_place(one: ObjectRate) -> str:
+    return ", ".join(each for each in (one.item.building, one.item.location) if each)

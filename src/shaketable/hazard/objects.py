@@ -54,13 +54,17 @@ class ObjectRates:
     def of_objects(self) -> dict[int, ObjectRate]:
         """Of each object by its number the direction in which it falls more often.
 
-        The object's rate lies between this rate and the sum over both directions.
+        The object's rate lies between this rate and the sum over both directions. A direction in
+        which every simulation overturns has no rate, and is the worse one.
         """
+
+        def worse(one: ObjectRate) -> tuple[bool, float]:
+            return one.curve.always, float(np.nan_to_num(one.found.rate, nan=-1.0))
+
         found: dict[int, ObjectRate] = {}
         for one in self.rates:
             before = found.get(one.number)
-            known = before is not None and np.isfinite(before.found.rate)
-            if before is None or not known or one.found.rate > before.found.rate:
+            if before is None or worse(one) > worse(before):
                 found[one.number] = one
         return found
 

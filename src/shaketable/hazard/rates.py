@@ -99,12 +99,12 @@ def rate_of(curve: Curve, hazard: Hazard) -> AnnualRate:
     if curve.problem:
         parts = np.full(levels.size - 1, np.nan)
         return AnnualRate(rate=np.nan, interval=(np.nan, np.nan), levels=levels, by_level=parts)
-    by_level = _by_level(hazard, np.array([curve.median]), np.array([curve.beta]))[0]
+    by_level = rate_parts(hazard, np.array([curve.median]), np.array([curve.beta]))[0]
     rate = float(by_level.sum())
     interval = np.nan, np.nan
     median, beta = curve.drawn
     if median.size:
-        interval = ends(_by_level(hazard, median, beta).sum(axis=1))
+        interval = ends(rate_parts(hazard, median, beta).sum(axis=1))
     return AnnualRate(rate=rate, interval=interval, levels=levels, by_level=by_level)
 
 
@@ -142,7 +142,7 @@ def annual_rates(
     return pd.DataFrame(rows)
 
 
-def _by_level(
+def rate_parts(
     hazard: Hazard, median: NDArray[np.float64], beta: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """Parts of the rate below, between and above the levels, (set, n + 1)."""

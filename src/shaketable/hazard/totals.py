@@ -4,8 +4,8 @@ The hazard curve is cut into levels with a rate each. At a level every object fa
 probability of its fragility function, and objects fall together: what they withstand of one measure
 departs from their medians alike, as one motion shakes them all. Losses are drawn at each level, and
 weighed by its rate: the loss exceedance curve, whose mean is the average annual loss (Grossi and
-Kunreuther 2005, Catastrophe modeling, chapter 2). The average does not depend on how objects are
-correlated; rare losses do.
+Kunreuther 2005, Catastrophe modeling, chapter 2). The average, which is the sum of
+the objects' own rates, does not depend on how they are correlated; rare losses do.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from shaketable.errors import InputError
 from shaketable.fragility.lognormal import ndtr, reflected
 from shaketable.hazard.curve import Hazard
 from shaketable.hazard.objects import ObjectRate, ObjectRates
+from shaketable.hazard.rates import MUCH, rate_parts
 from shaketable.hazard.spatial import COMMON
 from shaketable.resampling import ends
 
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 #: Once in how many years losses are told, on average.
 RETURN_PERIODS = (50.0, 100.0, 250.0, 475.0, 1000.0, 2475.0)
 LEVELS, DRAWS = 240, 400  # of the curve, and of losses at each
-COARSE_LEVELS, COARSE_DRAWS = 80, 60  # of each draw of the functions
+FEWER = 100  # losses at each level for each draw of the functions
 FUNCTIONS = 100  # draws of them
 AT_ONCE = 2**21  # numbers of an array
 BEYOND = 5.0  # times the last level of the curve: what is shaken by more is shaken by this
@@ -80,6 +81,7 @@ class LossTotals:
         losses, rates: the loss exceedance curve: rates at which losses are exceeded [1/year].
         average: loss of a year, on average.
         average_interval: its 95 % interval, from the fragility functions'.
+        average_above: the share of it that comes from above the hazard curve's last level.
         periods: losses at return periods.
         varied: the same periods' losses with other correlations, by their names.
         correlation: that was used.
@@ -92,6 +94,7 @@ class LossTotals:
     rates: NDArray[np.float64]
     average: float
     average_interval: tuple[float, float]
+    average_above: float
     periods: tuple[PeriodLoss, ...]
     varied: dict[str, tuple[float, ...]]
     correlation: Correlation
@@ -104,7 +107,8 @@ class LossTotals:
 
         first = {
             "return_period": np.nan, "loss": self.average, "loss_low": self.average_interval[0],
-            "loss_high": self.average_interval[1], "beyond_hazard_curve": None,
+            "loss_high": self.average_interval[1],
+            "beyond_hazard_curve": self.average_above > MUCH,
             **{_column(name): self.average for name in self.varied},
         }  # fmt: skip
         rows = [
@@ -122,7 +126,13 @@ class LossTotals:
         """The loss exceedance curve."""
         import pandas as pd
 
-        return pd.DataFrame({"loss": self.losses, "annual_rate_of_exceedance": self.rates})
+        return pd.DataFrame(
+            {
+                "loss": self.losses,
+                "unit": "cost" if self.in_cost else "pieces",
+                "annual_rate_of_exceedance": self.rates,
+            }
+        )
 
 
 def _column(name: str) -> str:
@@ -166,35 +176,40 @@ def loss_totals(
         name: _exceedance(pieces, rates.hazard, each, LEVELS, DRAWS, seed)
         for name, each in varied.items()
     }
-    losses, exceeded, average = curves["usual"]
+    losses, exceeded = curves["usual"]
     drawn = [
-        _exceedance(pieces.drawn(k), rates.hazard, used, COARSE_LEVELS, COARSE_DRAWS, seed)
+        _exceedance(pieces.drawn(k), rates.hazard, used, LEVELS, FEWER, seed)
         for k in range(min(FUNCTIONS, pieces.draws))
     ]
-
-    def interval(values: list[float], value: float, coarse: float) -> tuple[float, float]:
-        """About what the finer levels give."""
-        if not values:
-            return np.nan, np.nan
-        low, high = ends(np.array(values))
-        factor = value / coarse if coarse > 0.0 else 1.0
-        return low * factor, high * factor
-
-    coarse = _exceedance(pieces, rates.hazard, used, COARSE_LEVELS, COARSE_DRAWS, seed)
     periods = []
     last = 0.0 if rates.hazard.ends else float(rates.hazard.rates[rates.hazard.positive - 1])
     for years in return_periods:
-        loss, rough = _at(losses, exceeded, years), _at(coarse.losses, coarse.rates, years)
+        loss = _at(losses, exceeded, years)
         each = [_at(one.losses, one.rates, years) for one in drawn]
-        low, high = interval(each, loss, rough)
-        periods.append(PeriodLoss(years, loss, low, high, last > 1.0 / years))
+        low, high = ends(np.array(each)) if each else (np.nan, np.nan)
+        periods.append(
+            # of fewer draws an end may lie beyond what more of them give
+            PeriodLoss(years, loss, min(low, loss), max(high, loss), last > 1.0 / years)
+            if each
+            else PeriodLoss(years, loss, low, high, last > 1.0 / years)
+        )
+    yearly = pieces.average(rates.hazard)
     return LossTotals(
         in_cost=in_cost,
         value=float(pieces.quantity @ pieces.cost),
         losses=losses,
         rates=exceeded,
-        average=average,
-        average_interval=interval([one.average for one in drawn], average, coarse.average),
+        average=float(yearly[0]),
+        average_interval=ends(yearly[1:]) if yearly.size > 1 else (np.nan, np.nan),
+        average_above=float(
+            sum(
+                one.item.quantity * cost * one.found.by_level[-1]
+                for one, cost in zip(counted, pieces.cost, strict=True)
+            )
+            / yearly[0]
+        )
+        if yearly[0] > 0.0
+        else 0.0,
         periods=tuple(periods),
         varied={
             name: tuple(_at(one.losses, one.rates, years) for years in return_periods)
@@ -231,7 +246,9 @@ class _Pieces:
         curves = list(dict.fromkeys(one.curve for one in counted))
         of = np.array([curves.index(one.curve) for one in counted], np.intp)
         found = np.array([(curve.median, curve.beta) for curve in curves]).T
+        # an interval is known where that of every function is
         draws = min(curve.fits.median.size for curve in curves) - 1
+        draws = draws if all(curve.drawn[0].size for curve in curves) else 0
         each = []
         for curve, (median, beta) in zip(curves, found.T, strict=True):
             theta, spread = (reflected(one)[:draws] for one in curve.widened)
@@ -253,6 +270,13 @@ class _Pieces:
         """How many draws of the functions there are."""
         return len(self.median) - 1
 
+    def average(self, hazard: Hazard) -> NDArray[np.float64]:
+        """The average annual loss with the functions and with each draw of them, (1 + draw,)."""
+        _, first = np.unique(self.function, return_index=True)
+        value = np.bincount(self.function, self.quantity * self.cost)
+        rate = [rate_parts(hazard, self.median[:, k], self.beta[:, k]).sum(axis=1) for k in first]
+        return np.asarray(np.array(value) @ np.array(rate))
+
     def drawn(self, number: int) -> _Pieces:
         """The pieces with the number-th draw of their functions, from 0."""
         at = slice(number + 1, number + 2)
@@ -260,11 +284,10 @@ class _Pieces:
 
 
 class _Exceedance(NamedTuple):
-    """A loss exceedance curve, and the average annual loss."""
+    """A loss exceedance curve."""
 
     losses: NDArray[np.float64]
     rates: NDArray[np.float64]
-    average: float
 
 
 def _exceedance(
@@ -296,7 +319,7 @@ def _exceedance(
     # the rate of losses above each: what comes behind it
     above = np.concatenate([np.cumsum(weight[order][::-1])[::-1][1:], [0.0]])
     last = np.flatnonzero(np.append(np.diff(ordered) > 0.0, True))
-    return _Exceedance(ordered[last], above[last], float(weight @ loss))
+    return _Exceedance(ordered[last], above[last])
 
 
 def _cut(

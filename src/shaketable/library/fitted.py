@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from shaketable.fragility.curve import GROUND, Curve
 from shaketable.fragility.exported import word_of
 from shaketable.fragility.limit_states import LimitState
-from shaketable.fragility.lognormal import Points, fit_many
+from shaketable.fragility.lognormal import Points, fit_many, probability
 from shaketable.library.case import Case
 from shaketable.library.draws import Draws, draws_of
 from shaketable.library.effects import Effects, effects_of, no_effects
@@ -33,6 +33,9 @@ DRAWS = 200
 TESTS = 0.20
 #: Share of runs that were given up while the thing still moved, above which a caution says so.
 MOVING = 0.02
+#: Parts of the simulations in which shares are compared with a function, and by how much they may
+#: differ before a caution says so: some three standard errors of a share of 48 recordings' draws.
+BINS, DEPARTS = 8, 0.1
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -45,6 +48,10 @@ class LibraryFunction:
         effects: of what was drawn on ln θ.
         simulations: how many it was fitted to.
         moving: share of them that were given up while the thing still moved.
+        leaning: share of them that ended leaning on a wall or in a strap.
+        departs: largest difference between the function and the share that reaches the state, in
+            BINS parts of the simulations.
+        strongest: share that reaches it at the largest factor on the motions.
     """
 
     case: Case
@@ -54,6 +61,9 @@ class LibraryFunction:
     effects: Effects
     simulations: int
     moving: float
+    leaning: float
+    departs: float
+    strongest: float
 
     @property
     def identifier(self) -> str:
@@ -68,11 +78,22 @@ class LibraryFunction:
     @cached_property
     def caution(self) -> str:
         """What is weak about it; "" if nothing is."""
+        if self.problem:
+            return ""
         said = [self.curve.caution] if self.curve.caution else []
-        if self.moving > MOVING and not self.problem:
+        if self.strongest < 0.5:
             said.append(
-                f"{self.moving:.0%} of the simulations were given up while the thing still moved, "
-                "and count as standing"
+                f"only {self.strongest:.0%} reach the state at the strongest shaking: the upper "
+                "part of the curve is an extrapolation"
+            )
+        if self.departs > DEPARTS:
+            said.append(
+                f"the share of simulations that reach the state departs from the function by up to "
+                f"{self.departs:.0%}: it is not lognormal"
+            )
+        if self.moving > MOVING:
+            said.append(
+                f"{self.moving:.0%} of the simulations were given up while the thing still moved"
             )
         return "; ".join(said)
 
@@ -170,4 +191,17 @@ def _fitted(
         effects=effects_of(points, draws, runs.draw, event) if known else no_effects(draws),
         simulations=level.size,
         moving=float(runs.moving.mean()),
+        leaning=float(runs.leans.mean()),
+        departs=_departure(curve, points) if known else np.nan,
+        strongest=float(happened[runs.scale == runs.scale.max()].mean()),
+    )
+
+
+def _departure(curve: Curve, points: Points) -> float:
+    """The largest difference of shares and function, in parts of as many simulations each."""
+    told = probability(points.intensity, curve.fits.median[:1], curve.fits.beta[:1])
+    order = np.argsort(points.intensity, kind="stable")
+    return max(
+        abs(float(points.reached[some].mean() - told[some].mean()))
+        for some in np.array_split(order, BINS)
     )

@@ -28,7 +28,10 @@ DIGITS = 5  # of numbers in files
 TEXT, NUMBER, WHOLE = "string", "number", "integer"
 #: Every column, in order.
 COLUMNS = {
-    "id": LibraryColumn(TEXT, "", "name of the case and the limit state, in every export"),
+    "id": LibraryColumn(
+        TEXT, "", "name of the case and the limit state, in every export; with the measure it "
+        "names one row",
+    ),
     "thing": LibraryColumn(TEXT, "", "what stands there: kind, size and, if not 1, its scale"),
     "kind": LibraryColumn(TEXT, "", "key in the catalogue of common things"),
     "group": LibraryColumn(
@@ -49,7 +52,9 @@ COLUMNS = {
     "storeys": LibraryColumn(WHOLE, "1", "of the linear shear building; empty on the ground"),
     "first_period": LibraryColumn(NUMBER, "s", "of the building; empty on the ground"),
     "damping": LibraryColumn(NUMBER, "1", "of the building; empty on the ground"),
-    "floor": LibraryColumn(WHOLE, "1", "on which it stands; 0 on the ground"),
+    "floor": LibraryColumn(
+        WHOLE, "1", "on which it stands: 4 is the slab above the fourth storey, 0 the ground"
+    ),
     "held": LibraryColumn(TEXT, "", "free, at a wall, at a wall with a strap, or on a table"),
     "wall_gap": LibraryColumn(NUMBER, "m", "from its back to the wall; empty without one"),
     "strap_strength": LibraryColumn(NUMBER, "weights of the thing", "force that breaks the strap"),
@@ -58,34 +63,55 @@ COLUMNS = {
     "tilt": LibraryColumn(NUMBER, "degrees", "of its support, toward its back"),
     "friction_low": LibraryColumn(NUMBER, "1", "least coefficient of friction drawn"),
     "friction_high": LibraryColumn(NUMBER, "1", "largest coefficient of friction drawn"),
-    "limit_state": LibraryColumn(TEXT, "", "what is reached"),
+    "limit_state": LibraryColumn(
+        TEXT, "", "what is reached: uplift, slides so far, walks off its table, overturns (falls, "
+        "or ends leaning on its wall or in its strap), reaches so far from the wall behind it",
+    ),
     "measure": LibraryColumn(
         TEXT, "", "intensity measure, geometric mean of both horizontal components; of the ground, "
         "or with a leading 'floor' of the floor's motion",
     ),
     "unit": LibraryColumn(TEXT, "", "of the medians"),
-    "median": LibraryColumn(NUMBER, "unit", "θ; empty where there is no function"),
-    "median_low": LibraryColumn(NUMBER, "unit", "lower end of its 95 % interval over earthquakes"),
+    "median": LibraryColumn(
+        NUMBER, "unit", "θ, the level at which half of such things reach the state; empty where "
+        "there is no function",
+    ),
+    "median_low": LibraryColumn(
+        NUMBER, "unit", "lower end of its 95 % interval, for other earthquakes of the same kind; "
+        "not for errors of the model or of sizes",
+    ),
     "median_high": LibraryColumn(NUMBER, "unit", "upper end of it"),
-    "beta": LibraryColumn(NUMBER, "1", "β of all together, to be used with the median"),
+    "beta": LibraryColumn(
+        NUMBER, "1", "standard deviation of ln of the level, to be used with the median: the root "
+        "of the sum of the squares of the next three parts",
+    ),
     "beta_low": LibraryColumn(NUMBER, "1", "lower end of its 95 % interval over earthquakes"),
     "beta_high": LibraryColumn(NUMBER, "1", "upper end of it"),
     "beta_motions": LibraryColumn(
-        NUMBER, "1", "part of the motions and of the direction in which they meet the thing"
+        NUMBER, "1", "part that motions of one level and their directions differ by"
     ),
     "beta_object": LibraryColumn(
-        NUMBER, "1", "part of sizes, centre of gravity and friction that are not known"
+        NUMBER, "1", "part of the exact sizes, the centre of gravity and the friction, which are "
+        "not known",
     ),
     "beta_model": LibraryColumn(
-        NUMBER, "1", f"part of losses that are not known, and {TESTS:g} that shake-table tests of "
-        "two granite blocks ask for",
+        NUMBER, "1", "part of the energy that impacts and rolling take, which is not known, and of "
+        f"{TESTS:g}, by which shake-table tests of two granite blocks scatter about predictions; "
+        "no furniture was tested",
     ),
     "simulations": LibraryColumn(WHOLE, "1", "to which it was fitted"),
     "recordings": LibraryColumn(WHOLE, "1", "independent recordings among the motions"),
     "events": LibraryColumn(WHOLE, "1", "earthquakes of which they are"),
-    "recordings_reaching": LibraryColumn(WHOLE, "1", "recordings that reach the state at all"),
+    "recordings_reaching": LibraryColumn(
+        WHOLE, "1", "recordings of which at least one simulation reaches the state"
+    ),
+    "leaning": LibraryColumn(
+        NUMBER, "1", "share of simulations that end leaning on a wall or in a strap, which count "
+        "as overturned",
+    ),
     "given_up": LibraryColumn(
-        NUMBER, "1", "share of simulations given up in motion, which count as standing"
+        NUMBER, "1", "share of simulations that were stopped while the thing still moved; without "
+        "a strap they count as standing, so that the true share is as high or higher"
     ),
     "problem": LibraryColumn(TEXT, "", "why there is no function"),
     "caution": LibraryColumn(TEXT, "", "what is weak about it"),
@@ -115,21 +141,24 @@ def rounded(table: pd.DataFrame) -> pd.DataFrame:
 
 def parts_of_beta(functions: Sequence[LibraryFunction]) -> list[DrawnBeta]:
     """What was drawn adds to β of each function, from all that are held alike."""
-    alike: dict[tuple[str, str, str], list[LibraryFunction]] = {}
-    for one in functions:
-        alike.setdefault(_likeness(one), []).append(one)
-    effects = {key: [one.effects for one in some] for key, some in alike.items()}
-    return [drawn_beta(one.effects, effects[_likeness(one)]) for one in functions]
-
-
-def _likeness(one: LibraryFunction) -> tuple[str, str, str]:
-    return one.case.held.name, one.state.name, one.measure.name
+    alike: dict[tuple[object, ...], list[int]] = {}
+    for number, one in enumerate(functions):
+        key = one.case.held.name, one.case.thing.round, one.state.name, one.measure.name
+        alike.setdefault(key, []).append(number)
+    found: dict[int, DrawnBeta] = {}
+    for numbers in alike.values():
+        drawn = drawn_beta([functions[k].effects for k in numbers])
+        found |= zip(numbers, drawn, strict=True)
+    return [found[k] for k in range(len(functions))]
 
 
 def _row(one: LibraryFunction, drawn: DrawnBeta) -> Mapping[str, Any]:
     curve, known = one.curve, not one.problem
-    fitted = curve.fits.beta[0] if known else np.nan
-    drawn_square = min(drawn.object**2 + drawn.model**2, fitted**2)
+    fitted = float(curve.fits.beta[0]) if known else np.nan
+    together = float(np.hypot(*drawn))
+    # no more than was found: then nothing is left for the motions
+    within = min(1.0, fitted / together) if together else 1.0
+    of_object, of_model = within * drawn.object, within * drawn.model
     return {
         "id": one.identifier,
         **_about_case(one.case),
@@ -142,13 +171,16 @@ def _row(one: LibraryFunction, drawn: DrawnBeta) -> Mapping[str, Any]:
         "beta": curve.beta,
         "beta_low": curve.beta_interval[0],
         "beta_high": curve.beta_interval[1],
-        "beta_motions": float(np.sqrt(fitted**2 - drawn_square)),
-        "beta_object": drawn.object if known else np.nan,
-        "beta_model": float(np.hypot(drawn.model, TESTS)) if known else np.nan,
+        "beta_motions": float(np.sqrt(max(fitted**2 - of_object**2 - of_model**2, 0.0)))
+        if known
+        else np.nan,
+        "beta_object": of_object if known else np.nan,
+        "beta_model": float(np.hypot(of_model, TESTS)) if known else np.nan,
         "simulations": one.simulations,
         "recordings": curve.recordings,
         "events": curve.events,
         "recordings_reaching": curve.reached_by,
+        "leaning": one.leaning,
         "given_up": one.moving,
         "problem": one.problem,
         "caution": one.caution,

@@ -187,20 +187,28 @@ def of_totals(totals: LossTotals) -> list[str]:
             most=most,
         )
     said = [first]
+    if totals.average_above > MUCH:
+        said.append(
+            tell(
+                "{share:.0f} % of that come from shaking beyond the hazard curve.",
+                share=100 * totals.average_above,
+            )
+        )
     for k, each in enumerate(totals.periods):
         if each.years == USUAL:
             alone, together = (amount(losses[k]) for losses in totals.varied.values())
             said.append(
                 tell(
                     "Once in {years:g} years more than {loss} are lost at once ({least} to "
-                    "{most}). That holds if alike pieces fall together and different kinds to "
-                    "{kinds:.0f} %; it would be {alone} if each piece fell by itself, and "
-                    "{together} if all fell together.",
+                    "{most}), if what pieces withstand is correlated by {alike:g} between alike "
+                    "ones and by {kinds:g} between kinds. It would be {alone} if each piece fell "
+                    "by itself, and {together} if all fell together.",
                     years=each.years,
                     loss=amount(each.loss),
                     least=amount(each.low),
                     most=amount(each.high),
-                    kinds=100 * totals.correlation.kinds,
+                    alike=totals.correlation.alike,
+                    kinds=totals.correlation.kinds,
                     alone=alone,
                     together=together,
                 )
