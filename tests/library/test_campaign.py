@@ -142,14 +142,16 @@ def test_rows_are_what_loss_tools_read(folder: Path) -> None:
         & (table["place"] == "ground")
     ].itertuples()  # fmt: skip
     space = {"o": "http://openquake.org/xmlns/nrml/0.5"}
-    root = ET.parse(folder / "out" / "openquake_PGV.xml").getroot()
+    root = ET.parse(folder / "out" / "openquake_PGV_overturns.xml").getroot()
     functions = {each.get("id"): each for each in root.iterfind(".//o:fragilityFunction", space)}
     params = functions[row.id].find("o:params", space)
     assert params is not None
-    assert params.get("ls") == "reached"
+    assert params.get("ls") == "overturns"
     mean = 100.0 * row.median * np.exp(row.beta**2 / 2)
     assert float(params.get("mean") or 0.0) == pytest.approx(mean, rel=1e-4)
-    assert not (folder / "out" / "openquake_floor_PGV.xml").exists()  # OpenQuake's is the ground's
+    assert not (
+        folder / "out" / "openquake_floor_PGV_overturns.xml"
+    ).exists()  # OpenQuake's is the ground's
     library = pd.read_csv(folder / "out" / "pelicun_PGV_fragility.csv", index_col=0)
     assert library.loc[row.id, "LS1-Theta_0"] == pytest.approx(row.median, rel=1e-4)
     assert library.loc[row.id, "Demand-Type"] == "Peak Ground Velocity"
@@ -240,7 +242,7 @@ def test_what_is_not_there_is_told(folder: Path, given: dict[str, str], says: st
 def test_other_tables_are_refused(folder: Path) -> None:
     path = folder / "rates.csv"
     path.write_text("name,median\na,1\n")
-    with pytest.raises(InputError, match="has no column id, thing, kind, group, size and 38 more"):
+    with pytest.raises(InputError, match="has no column id, thing, kind, group, size and 39 more"):
         read_library_table(path)
     told = (folder / "out" / "functions.csv").read_text().splitlines()
     at = told[0].split(",").index("depth")

@@ -85,7 +85,6 @@ class Export:
         through_building: whether the building is in the functions of the ground's measure.
         description: what a reader should know of them.
         title: what they are called.
-        one_state: whether each has one limit state alone, which need not be that of the others.
     """
 
     functions: tuple[Functions, ...]
@@ -94,7 +93,6 @@ class Export:
     through_building: bool = False
     description: str = ""
     title: str = "shaketable"
-    one_state: bool = False
 
     def require_ground(self, other: str) -> None:
         """InputError where the measure is that of a floor's motion, and `other` of the ground's."""

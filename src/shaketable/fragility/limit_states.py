@@ -23,9 +23,9 @@ _UNITS = {"rocks": ("α", "alpha"), "slides": ("m",), "reaches": ("m",)}
 #: What each means; {least} is its number.
 MEANINGS = {
     OVERTURNS: "It falls over.",
-    UPLIFT: "It rocks.",
+    UPLIFT: "A point of its base lifts off: it rocks, or falls.",
     ROCKS: "It rocks to {least} of its slenderness.",
-    SLIDES: "It slides by {least} m.",
+    SLIDES: "It slides by {least} m, or falls.",
     WALKS_OFF: "It goes over the edge of its table.",
     REACHES: "Once it stands or lies again, it covers ground {least} m or farther from the wall "
     "behind it, or from the line of its back where there is no wall.",

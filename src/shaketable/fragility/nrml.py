@@ -23,7 +23,6 @@ NAMESPACE = "http://openquake.org/xmlns/nrml/0.5"
 TAIL = 1e-6
 LEVELS = 50  # of a discrete function
 FORMS = ("continuous", "discrete")
-REACHED = "reached"  # the only limit state of functions with one state each
 
 
 def write_nrml(export: Export, path: str | Path, *, form: str = FORMS[0]) -> None:
@@ -43,7 +42,7 @@ def write_nrml(export: Export, path: str | Path, *, form: str = FORMS[0]) -> Non
     unit = unit_of(export.measure, SHOWN, "OpenQuake")
     export.require_ground("OpenQuake's intensity is")
     functions = export.functions
-    order = _states(export, functions[0])
+    order = _states(functions[0])
     root = ET.Element("nrml", xmlns=NAMESPACE)
     model = ET.SubElement(
         root, "fragilityModel", id="shaketable", assetCategory="contents", lossCategory="contents"
@@ -51,7 +50,7 @@ def write_nrml(export: Export, path: str | Path, *, form: str = FORMS[0]) -> Non
     ET.SubElement(model, "description").text = export.description.replace("{unit}", unit.name)
     ET.SubElement(model, "limitStates").text = " ".join(order)
     for one in functions:
-        if _states(export, one) != order:
+        if _states(one) != order:
             raise InputError(
                 f"{one.name}: its states are in another order of severity than those of "
                 f"{functions[0].name}; export them apart"
@@ -63,10 +62,8 @@ def write_nrml(export: Export, path: str | Path, *, form: str = FORMS[0]) -> Non
         file.write_bytes(content + b"\n")
 
 
-def _states(export: Export, one: Functions) -> list[str]:
+def _states(one: Functions) -> list[str]:
     """What the limit states of a function are called, the mildest first."""
-    if export.one_state:
-        return [REACHED]
     return [word_of(curve.state.name) for curve in one.curves]
 
 
@@ -86,7 +83,7 @@ def _write_function(
     if form == FORMS[0]:
         imls.set("minIML", _told(least))
         imls.set("maxIML", _told(most))
-        for name, curve in zip(_states(export, one), one.curves, strict=True):
+        for name, curve in zip(_states(one), one.curves, strict=True):
             mean, deviation = moments(unit.factor * curve.median, curve.beta)
             ET.SubElement(
                 function, "params", ls=name, mean=_told(mean),
@@ -95,7 +92,7 @@ def _write_function(
         return
     levels = np.geomspace(least, most, LEVELS)
     imls.text = " ".join(_told(level) for level in levels)
-    for name, curve in zip(_states(export, one), one.curves, strict=True):
+    for name, curve in zip(_states(one), one.curves, strict=True):
         chance = curve.probability(levels / unit.factor)
         poes = ET.SubElement(function, "poes", ls=name)
         poes.text = " ".join(_told(float(each)) for each in chance)

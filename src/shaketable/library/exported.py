@@ -9,15 +9,18 @@ import pandas as pd
 
 from shaketable.fragility.curve import GROUND
 from shaketable.fragility.exported import Export, Function, Functions
-from shaketable.fragility.limit_states import LimitState, limit_state
+from shaketable.fragility.limit_states import OVERTURNS, LimitState, limit_state
 from shaketable.library.measures import measure_of
+
+#: What overturning means where something may hold a thing up.
+LEANING = "It falls over, or ends leaning on its wall or in its strap."
 
 
 def exports_of(table: pd.DataFrame, title: str) -> dict[str, Export]:
     """The rows of a library's table that have a function, by the name of their measure.
 
-    Each row is a thing of its own for a reader: a function with one limit state. The states of a
-    thing are not steps of one damage: what overturns toward the wall reaches nobody.
+    Each row is a function of its own for a reader, with one limit state: the states of a thing are
+    not steps of one damage, as what overturns toward its wall covers no ground before it.
 
     Args:
         table: as `table_of` gives it, or as it was read from its CSV.
@@ -35,7 +38,6 @@ def exports_of(table: pd.DataFrame, title: str) -> dict[str, Export]:
             place=place,
             through_building=not measure.of_floor,
             title=title,
-            one_state=True,
             description=(
                 f"{title}: unanchored rigid things in three dimensions under "
                 f"{first['recordings']} recordings of {first['events']} earthquakes, both "
@@ -58,8 +60,10 @@ def about(row: Mapping[str, Any] | pd.Series[Any], state: LimitState) -> str:
     """What a row is of, in sentences."""
     held = {"free": "standing free"}.get(str(row["held"]), str(row["held"]))
     tilted = f", on a tilt of {row['tilt']:g}° toward its back" if row["tilt"] else ""
+    leaning = state.kind == OVERTURNS and pd.notna(row["wall_gap"])
     return (
         f"{row['depth']:.3g} m deep, {row['width']:.3g} m wide, {row['height']:.3g} m high, "
         f"{held}{tilted}; {row['place']}; friction {row['friction_low']:g} to "
-        f"{row['friction_high']:g}. {state.meaning}"
+        f"{row['friction_high']:g}. {LEANING if leaning else state.meaning} The demand is "
+        f"{row['measure']}, the geometric mean of both horizontal components."
     )

@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from shaketable.fragility.limit_states import limit_state
 from shaketable.fragility.shown import G
-from shaketable.library.case import GROUND
 from shaketable.library.exported import about
 from shaketable.library.measures import FLOOR, measure_of
 
@@ -44,7 +43,7 @@ def ned_tables(table: pd.DataFrame, title: str) -> NedTables:
     curves = []
     for _, row in table[table["median"].notna()].iterrows():
         name = str(row["measure"])
-        of_floor = name.startswith(FLOOR) or row["place"] == GROUND
+        of_floor = name.startswith(FLOOR) or row["floor"] == 0  # the ground is a floor, too
         kind = name.removeprefix(FLOOR)
         if kind not in NED or not of_floor:
             continue

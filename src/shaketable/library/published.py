@@ -45,11 +45,15 @@ def read_library_table(path: str | Path) -> pd.DataFrame:
         if column.kind == TEXT:
             continue
         numbers = pd.to_numeric(table[name].replace("", None), errors="coerce")
-        wrong = table.index[numbers.isna() & (table[name] != "")]
+        bad = numbers.isna() & (table[name] != "")
+        if column.kind == WHOLE:
+            bad |= numbers.notna() & (numbers % 1 != 0)
+        wrong = table.index[bad]
         if wrong.size:
             found = quoted(str(table[name][wrong[0]]))
             line = f"line {int(wrong[0]) + 2}"
-            raise refused(path, f"expected a number, found {found}", where=line, column=name)
+            wanted = "a whole number" if column.kind == WHOLE else "a number"
+            raise refused(path, f"expected {wanted}, found {found}", where=line, column=name)
         table[name] = numbers.astype("Int64" if column.kind == WHOLE else "float64")
     return table[list(COLUMNS)]
 

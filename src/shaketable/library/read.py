@@ -46,14 +46,14 @@ lengths_m = [0.32, 0.91, 1.80]             # depth, width and height
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, TypeVar
 
 from shaketable.errors import InputError, named, quoted
 from shaketable.fragility.limit_states import OVERTURNS, LimitState
 from shaketable.library.case import Case, Held, Stand
 from shaketable.library.library import Library
-from shaketable.library.measures import require_measure
+from shaketable.library.measures import FLOOR, require_measure
 from shaketable.library.states import state_of_library
 from shaketable.library.thing import LibraryThing, Size
 from shaketable.spelled_surroundings import metres
@@ -105,6 +105,10 @@ def read_library(told: TomlFile) -> Library:
             measures.append(require_measure(str(text)))
         except InputError as error:
             told.fault(f"{SECTION}.measures", str(error))
+    if _has_no_row(cases.values(), measures):
+        told.fault(
+            f"{SECTION}.measures", "every one is of a floor, and all things stand on the ground"
+        )
     of = told.get("motions", "of", (str, list), "")
     return Library(
         title=told.get(SECTION, "title", str, "Unanchored things"),
@@ -115,6 +119,12 @@ def read_library(told: TomlFile) -> Library:
         seed=told.get(SECTION, "seed", int, 0),
         motions=of if isinstance(of, str) else ", ".join(map(str, of)),
     )
+
+
+def _has_no_row(cases: Iterable[Case], measures: Sequence[str]) -> bool:
+    """Whether a library of these cases would have no row."""
+    on_floors = any(case.stand.building is not None for case in cases)
+    return bool(measures) and not on_floors and all(each.startswith(FLOOR) for each in measures)
 
 
 def _named(

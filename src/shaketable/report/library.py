@@ -16,6 +16,7 @@ import numpy as np
 import pandas as pd
 
 from shaketable.errors import InputError
+from shaketable.fragility.exported import Export, word_of
 from shaketable.fragility.nrml import write_nrml
 from shaketable.fragility.pelicun import FILES, write_into
 from shaketable.fragility.shown import unit_shown
@@ -70,20 +71,23 @@ def write_library(
     table = rounded(table)
 
     def others(fresh: Path) -> None:
-        exports = exports_of(table, f"{title}, edition {edition}")
-        for name, export in exports.items():
+        called = f"{title}, edition {edition}"
+        for state in table["limit_state"].unique():
+            for name, export in exports_of(table[table["limit_state"] == state], called).items():
+                path = fresh / f"openquake_{file_word(name)}_{word_of(str(state))}.xml"
+                try:
+                    write_nrml(export, path)
+                except InputError as error:
+                    log.info("%s not written for OpenQuake: %s", name, error)
+        for name, export in exports_of(table, called).items():
             word = file_word(name)
-            try:
-                write_nrml(export, fresh / f"openquake_{word}.xml")
-            except InputError as error:
-                log.info("%s not written for OpenQuake: %s", name, error)
             try:
                 _write_pelicun(fresh, word, export)
             except InputError as error:
                 log.info("%s not written for pelicun: %s", name, error)
             if sets := pyincore_sets(table, name, title):
                 _write_json(sets, fresh / f"pyincore_{word}.json")
-        ned = ned_tables(table, f"{title}, edition {edition}")
+        ned = ned_tables(table, called)
         _write_json(ned.models, fresh / "ned_fragility_model.json")
         _write_json(ned.curves, fresh / "ned_fragility_curve.json")
 
@@ -113,7 +117,7 @@ def file_word(measure: str) -> str:
     return measure.replace(" ", "_").replace("(", "_").replace(")", "")
 
 
-def _write_pelicun(fresh: Path, word: str, export: Any) -> None:
+def _write_pelicun(fresh: Path, word: str, export: Export) -> None:
     """The files of pelicun for a measure, each with the measure in its name."""
     inner = fresh / word
     inner.mkdir()
@@ -169,7 +173,7 @@ def data_package(folder: Path, title: str, edition: str, run: Mapping[str, Any])
         resources.append(resource)
     return {
         "name": "shaketable-library",
-        "title": f"Fragility functions of {title[0].lower()}{title[1:]}",
+        "title": f"Fragility functions: {title}",
         "version": edition,
         "description": NOT_CONSIDERED,
         "licenses": [LICENCE],
@@ -197,7 +201,6 @@ def render(table: pd.DataFrame, title: str, edition: str, run: Mapping[str, Any]
             known=known,
             things=table["thing"].nunique(),
             cases=table["id"].nunique(),
-            first=table.iloc[0].to_dict(),
             not_considered=NOT_CONSIDERED,
             data=_as_script({"columns": ON_PAGE, "rows": _rows(table), "units": units}),
             run=run,
