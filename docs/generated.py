@@ -19,13 +19,12 @@ from shaketable.cli import app
 from shaketable.cli.lazy import SUMMARIES
 
 
-def write_library(folder: Path, table: Path, edition: str) -> None:
+def write_library(folder: Path, table: Path) -> None:
     """Write the page that searches a published library.
 
     Args:
-        folder: for the page.
+        folder: for the page, which is called as the table.
         table: its rows.
-        edition: what they are called.
     """
     from shaketable.library.published import read_library_table
     from shaketable.report.library import render
@@ -33,11 +32,11 @@ def write_library(folder: Path, table: Path, edition: str) -> None:
     folder.mkdir(exist_ok=True)
     run = {
         "versions": {"shaketable": shaketable.__version__},
-        "command": f"shaketable campaign collect, {table.name}",
-        "finished": f"edition {edition}",
+        "command": f"shaketable library library/{table.name}",
+        "finished": "as published",
     }
-    page = render(read_library_table(table), "Unanchored things", edition, run)
-    (folder / f"edition-{edition}.html").write_text(page, encoding="utf-8")
+    page = render(read_library_table(table), "Unanchored furniture of FEMA P-58", "1.0", run)
+    (folder / f"{table.stem}.html").write_text(page, encoding="utf-8")
 
 
 class Group(NamedTuple):

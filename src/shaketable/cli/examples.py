@@ -38,9 +38,9 @@ EXAMPLES = {
         "--limit-states 'rocks 0.5 alpha, overturns' --out hospital",
     ),
     "library": (
-        "shaketable library library/edition-1.0.csv --find 'bookcase ground' --measure PGV "
+        "shaketable library library/fema-p58.csv --find 'bookcase ground' --measure PGV "
         "--limit-state overturns",
-        "shaketable library library/edition-1.0.csv --find cupboard --out cupboards",
+        "shaketable library library/fema-p58.csv --find lateral --out lateral",
     ),
     "hazard": (
         "shaketable hazard examples/hazard.csv examples/hospital.csv --out yearly",

@@ -19,9 +19,7 @@ MOST_SHOWN = 40
 
 def library(
     *,
-    table: Annotated[
-        Path, typer.Argument(help="functions.csv of a library, such as that of edition 1.0.")
-    ],
+    table: Annotated[Path, typer.Argument(help="Table of a library's rows: its functions.csv.")],
     find: Annotated[
         str, typer.Option(help="Words that all have to be in a row, such as 'bookcase wall'.")
     ] = "",
@@ -37,7 +35,9 @@ def library(
     ] = None,
     out: Annotated[
         Path | None,
-        typer.Option(help="Folder for these rows: tables, OpenQuake, pelicun and a page."),
+        typer.Option(
+            help="Folder for these rows: a table, a page, and files for OpenQuake, pelicun and others."
+        ),
     ] = None,
     overwrite: Overwrite = False,
 ) -> None:

@@ -1,0 +1,145 @@
+"""The published rows, of the furniture of FEMA P-58, and a part of them made again."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from shaketable.campaign.description import read_campaign
+from shaketable.campaign.libraries import Libraries
+from shaketable.fragility.limit_states import limit_state
+from shaketable.library.case import Case
+from shaketable.library.fitted import TESTS, Shaking, functions_of_case
+from shaketable.library.published import read_library_table
+from shaketable.library.shaken import motions_under, simulated
+from shaketable.library.states import has_state
+from shaketable.report.library import dictionary
+
+LIBRARY = Path(__file__).parents[2] / "library"
+NAMES = ("fema-p58",)
+#: Cases that take a few seconds, one of them on a floor and one at a wall.
+AGAIN = (
+    "bookcase.5.shelves.ground.free.mu0_4to0_6",
+    "filing_cabinet.vertical.4.drawers.office6_floor_4.free.mu0_4to0_6",
+    "lateral_file.5.drawers.ground.wall_10_mm.mu0_4to0_6",
+)
+
+
+@pytest.fixture(scope="module", params=NAMES)
+def name(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
+@pytest.fixture(scope="module")
+def table(name: str) -> pd.DataFrame:
+    return read_library_table(LIBRARY / f"{name}.csv")
+
+
+@pytest.fixture(scope="module")
+def published() -> pd.DataFrame:
+    return read_library_table(LIBRARY / "fema-p58.csv")
+
+
+@pytest.fixture(scope="module")
+def work() -> Libraries:
+    found = read_campaign(LIBRARY / "fema-p58.toml")
+    assert isinstance(found, Libraries)
+    return found
+
+
+def test_there_is_a_row_for_every_case_state_and_measure(name: str, table: pd.DataFrame) -> None:
+    described = read_campaign(LIBRARY / f"{name}.toml")
+    assert isinstance(described, Libraries)
+    library = described.library
+
+    def rows(case: Case) -> int:
+        on_ground = case.stand.building is None
+        measures = [each for each in library.measures if not (on_ground and "floor" in each)]
+        return len(measures) * sum(has_state(case, state) for state in library.states)
+
+    assert len(table) == sum(rows(case) for case in library.cases)
+    assert not table.duplicated(["id", "measure"]).any()
+    names = {case.name for case in library.cases}
+    assert set(table["id"].str.rsplit(".", n=1).str[0]) == names
+
+
+def test_a_row_has_a_function_or_says_why_not(table: pd.DataFrame) -> None:
+    known = table["median"].notna()
+    assert (known == (table["problem"] == "")).all()
+    numbers = ["beta", "beta_motions", "beta_object", "beta_model"]
+    assert (table[numbers].notna().all(axis=1) == known).all()
+    assert known.mean() > 0.7
+    assert (table["caution"][~known] == "").all()
+
+
+def test_the_parts_of_beta_are_its_squares(table: pd.DataFrame) -> None:
+    known = table[table["median"].notna()]
+    parts = np.sqrt((known[["beta_motions", "beta_object", "beta_model"]] ** 2).sum(axis=1))
+    # five digits of each; where more is drawn than is found, nothing is left for the motions
+    assert (parts / known["beta"] - 1.0).abs().max() < 1e-3
+    assert (known["beta_model"] >= TESTS).all()
+
+
+def test_intervals_hold_their_medians(table: pd.DataFrame) -> None:
+    known = table[table["median_low"].notna()]
+    assert (known["median_low"] <= known["median"]).all()
+    assert (known["median"] <= known["median_high"]).all()
+    assert set(known["events"]) == {18}
+    assert set(known["recordings"]) == {48}
+
+
+def test_taller_bookcases_of_one_depth_take_less(published: pd.DataFrame) -> None:
+    """On the ground, where nothing but the height differs."""
+    rows = published[
+        (published["kind"] == "bookcase") & (published["measure"] == "PGV")
+        & (published["place"] == "ground")
+    ]  # fmt: skip
+    for held in ("free", "wall 10 mm"):
+        some = rows[rows["held"] == held].sort_values("height")
+        assert len(some) == 5
+        assert some["median"].is_monotonic_decreasing, held
+
+
+def test_a_wall_makes_nothing_fall_more_often(published: pd.DataFrame) -> None:
+    """Medians at a wall are not below those of free things by more than 3 %, as draws differ."""
+    by_held = published.pivot_table(
+        index=["thing", "place", "measure"], columns="held", values="median"
+    ).dropna()
+    assert len(by_held) == 48
+    assert (by_held["wall 10 mm"] > 0.97 * by_held["free"]).all()
+
+
+def test_the_code_and_the_motions_are_told() -> None:
+    told = json.loads((LIBRARY / "fema-p58.json").read_text())
+    assert told["seed"] == 1
+    assert len(told["motions"]["hashes"]) == 48
+    assert told["environment"]["shaketable's code"]
+
+
+def test_the_dictionary_is_that_of_the_columns() -> None:
+    written = pd.read_csv(LIBRARY / "data_dictionary.csv", keep_default_na=False)
+    pd.testing.assert_frame_equal(written, dictionary(), check_dtype=False)
+
+
+@pytest.mark.parametrize("again", AGAIN)
+def test_a_part_made_again_is_what_is_published(
+    again: str, work: Libraries, published: pd.DataFrame
+) -> None:
+    """To 1 %, as on another processor a few of a thousand simulations may end otherwise."""
+    (case,) = [each for each in work.cases if each.name == again]
+    runs = simulated(case, motions_under(case, work.ground), seed=work.library.seed)
+    functions = functions_of_case(
+        case, runs, Shaking(work.ground, draws=0), states=[limit_state("overturns")],
+        measures=["PGV", "PGA"], seed=work.library.seed,
+    )  # fmt: skip
+    for one in functions:
+        rows = published[(published["id"] == one.identifier)
+                       & (published["measure"] == one.measure.name)]  # fmt: skip
+        (row,) = rows.itertuples()
+        assert one.curve.median == pytest.approx(row.median, rel=0.01)
+        assert one.curve.beta == pytest.approx(row.beta, rel=0.01)
+        assert one.simulations == row.simulations
