@@ -36,7 +36,7 @@ def library(
     out: Annotated[
         Path | None,
         typer.Option(
-            help="Folder for these rows: a table, a page, and files for OpenQuake, pelicun and others."
+            help="Folder for these rows: a table, a page, files for OpenQuake and pelicun."
         ),
     ] = None,
     overwrite: Overwrite = False,
