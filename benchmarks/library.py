@@ -1,9 +1,10 @@
 """`python -m benchmarks.library STORE`: how far a library's rows can be trusted, and what it costs.
 
-STORE is that of `shaketable campaign run library/edition-1.0.toml`. Printed are: rows drawn at
-random beside new simulations with other draws of their things; whether medians from one half of the
-earthquakes agree with those from the other half as their intervals say; medians of one shape in
-several sizes; and the cost of the whole library, from the seconds of a case of each kind.
+STORE is that of `shaketable campaign run library/fema-p58.toml` or of another library. Printed are:
+rows drawn at random beside new simulations under the same motions with other draws of their things;
+whether medians from one half of the earthquakes agree with those from the other half as their
+intervals say; medians of one shape in several sizes; and what edition 1.0 and the whole library
+cost, from the seconds of a case of each kind.
 """
 
 from __future__ import annotations
@@ -31,7 +32,9 @@ from shaketable.library.shaken import CaseRuns, motions_under, simulated
 from shaketable.progress import duration
 from shaketable.resampling import nested_resamples
 
-WHOLE = Path(__file__).parents[1] / "library" / "whole.toml"
+LIBRARY = Path(__file__).parents[1] / "library"
+EDITION, WHOLE = LIBRARY / "edition-1.0.toml", LIBRARY / "whole.toml"
+FRICTION = (0.4, 0.6)
 STATE, MEASURE = LimitState(OVERTURNS), "PGV"
 #: How it is held, whether it stands on a floor, and whether it is round.
 Slope = tuple[str, bool, bool]
@@ -73,9 +76,10 @@ def direct(work: Libraries, runs: list[CaseRuns], rows: int, seed: int) -> None:
         ]
         if len(inside) == rows:
             break
-    print(f"{len(inside)} rows at random, simulated again with other draws: {sum(inside)} medians "
-          f"within the row's interval; they depart by {100 * np.std(departs):.1f} % (standard "
-          f"deviation), {100 * np.abs(departs).max():.0f} % at most; shares of falls at a scale by "
+    print(f"{len(inside)} rows at random, simulated again under the same motions with other draws: "
+          f"medians depart by {100 * np.std(departs):.1f} % (standard deviation), "
+          f"{100 * np.abs(departs).max():.0f} % at most, {sum(inside)} of them within the row's "
+          f"interval; shares of falls at a factor depart from the row's function by "
           f"{100 * np.sqrt(np.mean(np.square(shares))):.1f} % (root mean square)")  # fmt: skip
 
 
@@ -99,7 +103,7 @@ def held_out(work: Libraries, runs: list[CaseRuns], seed: int) -> None:
             if np.isfinite([a, b, sa, sb]).all():
                 z.append((a - b) / np.hypot(sa, sb))
     share = np.mean(np.abs(z) < 1.96)
-    print(f"{len(z)} medians from nine earthquakes beside those from the other nine: "
+    print(f"{len(z)} medians from {events // 2} earthquakes beside those from the others: "
           f"{100 * share:.1f} % agree within 1.96 standard errors of the difference; z has a "
           f"standard deviation of {np.std(z):.2f}")  # fmt: skip
 
@@ -144,32 +148,34 @@ def monotone(work: Libraries, runs: list[CaseRuns]) -> None:
             print(f"| {', '.join(key)} | {told} | {'yes' if rises else 'no'} |")
 
 
-def cost(work: Libraries, runs: list[CaseRuns]) -> None:
-    """What this library costs, and what the whole one would, by a case of each slope."""
-    alike: dict[Slope, list[int]] = defaultdict(list)
-    for number, case in enumerate(work.cases):
-        alike[_slope(case)].append(number)
-    seconds = {}
-    for key, numbers in alike.items():
-        case = work.cases[numbers[len(numbers) // 2]]
-        motions = motions_under(case, work.ground)
-        start = time.perf_counter()
-        simulated(case, motions, seed=work.library.seed)
-        seconds[key] = time.perf_counter() - start
-    done = sum(seconds[key] * len(numbers) for key, numbers in alike.items())
-    simulations = sum(each.fell.size for each in runs)
-    print(f"\nthis library: {work.blocks} cases, {simulations:,} simulations, {duration(done)}")
-    whole = read_campaign(WHOLE)
-    assert isinstance(whole, Libraries)
-    total, free = 0.0, 0.0
+def cost() -> None:
+    """What libraries cost, by a case of each slope of the whole one, timed here."""
+    libraries = {}
+    for path in (EDITION, WHOLE):
+        found = read_campaign(path)
+        assert isinstance(found, Libraries)
+        libraries[path.stem] = found
+    whole = libraries[WHOLE.stem]
+    alike: dict[Slope, list[Case]] = defaultdict(list)
     for case in whole.cases:
-        total += seconds[_slope(case)]
-        free += 0.0 if case.held.wall_gap is not None else seconds[_slope(case)]
-    things = len({case.thing.name for case in whole.cases})
-    print(f"the whole: {whole.blocks:,} cases of {things} things; {duration(total)} on two cores "
-          f"like these, {duration(2 * total / CLUSTER)} on {CLUSTER} such cores")  # fmt: skip
-    print(f"its free things alone: {duration(free)} on two cores, {duration(free / ON_GPU)} on a "
-          "GPU on paper")  # fmt: skip
+        if case.tilt == 0.0 and case.friction == FRICTION:
+            alike[_slope(case)].append(case)
+    seconds = {}
+    for key, cases in alike.items():
+        case = cases[len(cases) // 2]
+        motions = motions_under(case, whole.ground)
+        start = time.perf_counter()
+        simulated(case, motions, seed=whole.library.seed)
+        seconds[key] = time.perf_counter() - start
+    print("")
+    for name, found in libraries.items():
+        total = sum(seconds[_slope(case)] for case in found.cases)
+        free = sum(seconds[_slope(case)] for case in found.cases if case.held.wall_gap is None)
+        things = len({case.thing.name for case in found.cases})
+        print(f"{name}: {found.blocks:,} cases of {things} things; {duration(total)} on two cores "
+              f"like these, {duration(2 * total / CLUSTER)} on {CLUSTER} such cores; what stands "
+              f"away from walls alone {duration(free)}, or {duration(free / ON_GPU)} on a GPU on "
+              "paper")  # fmt: skip
     for (held, on_floor, is_round), each in sorted(seconds.items()):
         print(f"  {held:6} {'floor ' if on_floor else 'ground'} "
               f"{'round' if is_round else 'box  '} {each:.1f} s a case")  # fmt: skip
@@ -195,7 +201,7 @@ def main() -> None:
     direct(work, runs, given.rows, given.seed)
     held_out(work, runs, given.seed)
     monotone(work, runs)
-    cost(work, runs)
+    cost()
 
 
 if __name__ == "__main__":

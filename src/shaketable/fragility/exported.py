@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,17 +19,42 @@ from shaketable.fragility.intensities import OWN
 from shaketable.fragility.limit_states import OVERTURNS, LimitState
 from shaketable.fragility.lognormal import probability
 from shaketable.fragility.shown import MeasureUnit
+from shaketable.models import Model
 from shaketable.signal import Measure
-from shaketable.surroundings import told_surroundings
+from shaketable.surroundings import Surroundings, told_surroundings
 from shaketable.units import degrees
-
-if TYPE_CHECKING:
-    from shaketable.fragility.fragility import Fragility
 
 log = logging.getLogger(__name__)
 
 MOST_NAMED = 5
 SEEN = (0.01, 0.99)  # probabilities between which functions of one body must not cross
+
+
+class Fitted(Protocol):
+    """What planar functions are exported from: a `Fragility`."""
+
+    @property
+    def curves(self) -> tuple[Curve, ...]: ...
+    @property
+    def bodies(self) -> tuple[str, ...]: ...
+    @property
+    def states(self) -> tuple[LimitState, ...]: ...
+    @property
+    def measure(self) -> Measure: ...
+    @property
+    def method(self) -> str: ...
+    @property
+    def model(self) -> Model: ...
+    @property
+    def motions(self) -> int: ...
+    @property
+    def tilt(self) -> float: ...
+    @property
+    def components(self) -> str: ...
+    @property
+    def surroundings(self) -> tuple[Surroundings | None, ...]: ...
+    @property
+    def through_building(self) -> bool: ...
 
 
 @dataclass(frozen=True)
@@ -114,7 +139,7 @@ def word_of(text: str) -> str:
     return identifier_of(text).replace(".", "_")
 
 
-def export_of(fragility: Fragility) -> Export:
+def export_of(fragility: Fitted) -> Export:
     """What is exported of fragility functions of planar bodies; what has none is told.
 
     Raises:
@@ -215,7 +240,7 @@ def unit_of(measure: Measure, units: dict[str, MeasureUnit], reader: str) -> Mea
     return units[kind]
 
 
-def description_of(fragility: Fragility) -> str:
+def description_of(fragility: Fitted) -> str:
     """What a reader should know of the functions."""
     curve = fragility.curves[0]
     cautions = "".join(
@@ -229,7 +254,7 @@ def description_of(fragility: Fragility) -> str:
     )
 
 
-def demand_of(fragility: Fragility) -> str:
+def demand_of(fragility: Fitted) -> str:
     """Of which motion the measure is, in words."""
     components = (
         "one horizontal direction"

@@ -140,9 +140,10 @@ def scored(
     left = np.arange(len(total))  # sets that still move
     for _ in range(STEPS):
         eta = np.clip(coefficients[left] @ columns, -FARTHEST, FARTHEST)
-        mean = ndtr(eta)
+        tail = ndtr(-np.abs(eta))  # exact where it is small
+        mean = np.where(eta > 0.0, 1.0 - tail, tail)
         density = np.exp(-0.5 * eta * eta) / np.sqrt(2.0 * np.pi)
-        variance = mean * ndtr(-eta)
+        variance = tail * (1.0 - tail)
         information = (total[left] * density * density / variance @ pairs).reshape(square)
         score = ((reached[left] - total[left] * mean) * density / variance) @ columns.T
         move = (np.linalg.pinv(information, hermitian=True) @ score[:, :, None])[:, :, 0]

@@ -37,10 +37,10 @@ YEARS = 1.0  # of the probabilities of the hazard curve
 STEPS = 200  # levels of the hazard curve and of vulnerability functions
 LOWEST = 0.1  # of the first level of the curve: what is shaken by less loses nothing
 QUANTITIES, COSTS = "CMP_QNT.csv", FILES[2]
-DAMAGE = """\
+JOB = """\
 [general]
-description = {description}
-calculation_mode = classical_damage
+description = falls of unanchored objects
+calculation_mode = {mode}
 
 [exposure]
 exposure_file = openquake_exposure.xml
@@ -50,34 +50,18 @@ taxonomy_mapping_csv = openquake_taxonomy_mapping.csv
 hazard_curves_csv = openquake_hazard_curves.csv
 asset_hazard_distance = 50
 
-[fragility]
-contents_fragility_file = openquake_fragility.xml
+[{functions}]
+contents_{functions}_file = openquake_{functions}.xml
 
 [calculation]
 investigation_time = {years:g}
 risk_investigation_time = 1
 """
-RISK = """\
-[general]
-description = {description}
-calculation_mode = classical_risk
-
-[exposure]
-exposure_file = openquake_exposure.xml
-taxonomy_mapping_csv = openquake_taxonomy_mapping.csv
-
-[hazard]
-hazard_curves_csv = openquake_hazard_curves.csv
-asset_hazard_distance = 50
-
-[vulnerability]
-contents_vulnerability_file = openquake_vulnerability.xml
-
-[calculation]
-investigation_time = {years:g}
-risk_investigation_time = 1
-lrem_steps_per_interval = 1
-"""
+#: By the ending of a job's name: its mode, the functions that it takes, and what else it needs.
+MODES = {
+    "damage": ("classical_damage", "fragility", ""),
+    "risk": ("classical_risk", "vulnerability", "lrem_steps_per_interval = 1\n"),
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,9 +183,9 @@ def _write_openquake(exposure: Exposure, hazard: Hazard, folder: Path) -> None:
         Path(f"{place}taxonomy_mapping.csv"),
     )
     _write_curve(exposure, hazard, unit.factor, Path(f"{place}hazard_curves.csv"))
-    told = {"description": "falls of unanchored objects", "years": YEARS}
-    Path(f"{place}damage.ini").write_text(DAMAGE.format(**told), encoding="utf-8")
-    Path(f"{place}risk.ini").write_text(RISK.format(**told), encoding="utf-8")
+    for name, (mode, functions, more) in MODES.items():
+        job = JOB.format(mode=mode, functions=functions, years=YEARS) + more
+        Path(f"{place}{name}.ini").write_text(job, encoding="utf-8")
 
 
 def _taxonomy(one: ObjectRate) -> str:
