@@ -37,6 +37,7 @@ PAGES = ("docs/tutorials", "docs/how_to", "docs/reference", "docs/explanation", 
 #: Not run, and why. What matches the first word is looked for in the command.
 LEFT_OUT = {
     r"\bstudy \S+ --out": "takes minutes; each study has tests of its own",
+    r"campaign (run|collect).* p58": "takes minutes; tests/library runs a small library",
     r"--scheduler": "needs a cluster; tests/campaign runs one",
     r"calibrate tests\.csv": "needs the table's recorded motions, which are not public domain",
     r"shaketable( serve.*)?$": "never ends; tests/web starts the server",
@@ -98,6 +99,7 @@ def _commands(lines: list[str]) -> list[Step]:
 def furnish(folder: Path) -> None:
     """Write the files that pages name: lists, records, a building, a hazard curve."""
     shutil.copytree(ROOT / "examples", folder / "examples")
+    shutil.copytree(ROOT / "library", folder / "library")
     for name in ("rooms.csv", "store.csv"):
         (folder / name).write_text(LIST, encoding="utf-8")
     workbook = openpyxl.Workbook()
