@@ -44,6 +44,7 @@ RARE = {
     "edge_mm": "distance from its front to the edge of the shelf or table on which it stands; "
     "empty on a floor",
     "lip_mm": "height of the lip at that edge",
+    "replacement_cost": "of one, if it is lost, in any currency; hazard adds up the losses",
     "building": "which building it stands in, where there are several; may be empty",
     "latitude": "of the building, decimal degrees, for maps of shaking; may be empty",
     "longitude": "likewise",
