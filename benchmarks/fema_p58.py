@@ -15,6 +15,7 @@ import numpy as np
 import pandas as pd
 
 from benchmarks.typologies import OBJECTS
+from shaketable.fragility.lognormal import probability
 from shaketable.library.published import found_rows, read_library_table
 
 TABLE = Path(__file__).parents[1] / "library" / "fema-p58.csv"
@@ -29,6 +30,7 @@ WHERE = (
     ("office6 floor 4", "free", "floor PGV"), ("office6 floor 4", "wall 10 mm", "floor PGV"),
 )  # fmt: skip
 BETA = 0.5  # of all of FEMA P-58's
+LEVEL = 0.4  # m/s
 
 
 def counted(folder: Path) -> None:
@@ -70,6 +72,14 @@ def main() -> None:
     for key, each in ratios.items():
         print(f"{', '.join(key)}: θ is {min(each):.2f} to {max(each):.2f} times that of P-58, "
               f"{np.exp(np.log(each).mean()):.2f} in the mean")  # fmt: skip
+    one = found_rows(table, words="bookcase.5.", measure="PGV", place="ground", held="free").iloc[0]
+    theirs = next(each.median for each in OBJECTS if each.name == "bookcase, 5 shelves")
+    chances = [
+        float(probability(np.array(LEVEL), np.array(median), np.array(beta)))
+        for median, beta in ((theirs, BETA), (one["median"], one["beta"]))
+    ]
+    print(f"at a PGV of {LEVEL:g} m/s the bookcase with 5 shelves falls with a probability of "
+          f"{chances[0]:.2f} by P-58, and of {chances[1]:.2f} by ours")  # fmt: skip
     print(f"β of ours {min(betas):.2f} to {max(betas):.2f}, of P-58 {BETA:g}")
 
 

@@ -110,3 +110,18 @@ def test_the_example(tmp_path: Path) -> None:
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
     assert "would save" in run.stdout
+
+
+def test_rates_are_told_where_nothing_can_be_added_up_or_exported(folder: Path) -> None:
+    """A panel that every motion overturns to the front has no function there, but one sideways."""
+    (folder / "panel.csv").write_text("name,depth_m,width_m,height_m\npanel,0.002,0.3,1.8\n")
+    run = shaketable(
+        "hazard", "curve.csv", "panel.csv", "--out", "yearly", "--export", "openquake",
+        "--accept-sizes", cwd=folder,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    rates = pd.read_csv(folder / "yearly" / "rates.csv")
+    assert rates["annual_rate"].isna().tolist() == [True, False]
+    assert "no job was written" in run.stdout
+    assert not (folder / "yearly" / "totals.csv").exists()
+    assert not list((folder / "yearly").glob("openquake_*"))

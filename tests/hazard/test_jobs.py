@@ -13,7 +13,7 @@ import pytest
 from shaketable import Body, InputError, Motion
 from shaketable.fragility.nrml import NAMESPACE
 from shaketable.hazard import Hazard, read_hazard
-from shaketable.hazard.jobs import JOBS, exposure_of, write_jobs
+from shaketable.hazard.jobs import JOBS, exposure_of, require_measure, write_jobs
 from shaketable.hazard.objects import ObjectRates, object_rates
 from shaketable.inventory import Item
 from shaketable.signal.intensity import measure_named
@@ -135,6 +135,12 @@ def test_pelicun_has_quantities_and_costs(folder: Path, rates: ObjectRates) -> N
     assert costs.loc[f"{first}-Cost", "DS1-Theta_0"] == 100.0
     assert costs.loc[f"{second}-Cost", "DS1-Theta_0"] == 400.0
     assert costs.loc[f"{first}-Cost", "Incomplete"] == 0
+
+
+def test_a_measure_that_a_tool_does_not_know_is_refused_at_once() -> None:
+    require_measure(measure_named("PGD"), ["openquake"])
+    with pytest.raises(InputError, match="pelicun knows no measure PGD"):
+        require_measure(measure_named("PGD"), JOBS)
 
 
 def test_nothing_is_written_without_functions(p695: list[Motion], tmp_path: Path) -> None:

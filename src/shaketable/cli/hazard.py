@@ -100,7 +100,7 @@ def hazard(
     from shaketable.fragility.intensities import GEOMETRIC_MEAN, OWN
     from shaketable.hazard import read_hazard
     from shaketable.hazard.functions import house_files
-    from shaketable.hazard.jobs import JOBS, write_jobs
+    from shaketable.hazard.jobs import JOBS, require_measure, write_jobs
     from shaketable.hazard.objects import object_rates
     from shaketable.hazard.totals import loss_totals
     from shaketable.inventory import read_inventory
@@ -121,6 +121,7 @@ def hazard(
     contact = contact_options.contact()
     of_site = read_hazard(curve, measure=measure, units=curve_units, site=site_of(site),
                           exposure=exposure_years)  # fmt: skip
+    require_measure(of_site.measure, jobs)
     items = read_inventory(inventory, **list_options.as_list)
     houses = house_files(building or [], items, own_motions=motion_options.motions is None)
     only = houses.get("")  # the one building of an inventory that names none
@@ -141,12 +142,14 @@ def hazard(
         },
         "settings": {name: plain(value) for name, value in settings.items()},
     }
-    some = any(not one.curve.problem for one in found.rates)
+    some = any(not one.curve.problem for one in found.of_objects().values())
     totals = loss_totals(found, correlation=together, seed=seed) if some else None
     write_hazard(
         found, totals, years, run, out, overwrite=overwrite,
-        exports=(lambda fresh: write_jobs(found, fresh, jobs)) if jobs else None,
+        exports=(lambda fresh: write_jobs(found, fresh, jobs)) if jobs and some else None,
     )  # fmt: skip
+    if jobs and not some:
+        say("no object has a fragility function: no job was written")
     for sentence in [*of_inventory(found, years), *(of_totals(totals) if totals else [])]:
         say(sentence)
     say(f"page: {out / 'index.html'}; rates.csv and levels.csv beside it")

@@ -87,11 +87,13 @@ def write_into(
     demand: str | None = None,
     *,
     costs: Mapping[str, float] | None = None,
+    prefix: str = "",
 ) -> None:
     """Write the files into a folder; arguments as for `write_pelicun`.
 
     Args:
         place, export, demand: as for it.
+        prefix: before the names of the files.
         costs: of the worst state of those whose cost is known, by their identifiers.
     """
     import pandas as pd
@@ -112,10 +114,10 @@ def write_into(
         },
         **{one.identifier: _meaning(one) for one in functions},
     }
-    write_csv(pd.DataFrame(rows), place / FILES[0])
+    write_csv(pd.DataFrame(rows), place / f"{prefix}{FILES[0]}")
     text = json.dumps(told, indent=2, ensure_ascii=False)
-    (place / FILES[1]).write_text(text + "\n", encoding="utf-8")
-    write_csv(pd.DataFrame(_frame(functions, costs or {})), place / FILES[2])
+    (place / f"{prefix}{FILES[1]}").write_text(text + "\n", encoding="utf-8")
+    write_csv(pd.DataFrame(_frame(functions, costs or {})), place / f"{prefix}{FILES[2]}")
 
 
 def _require_demand(export: Export, demand: str | None) -> str:

@@ -25,18 +25,21 @@ from shaketable.fragility.exported import Export, Function, identifier_of, order
 from shaketable.fragility.intensities import OWN
 from shaketable.fragility.lognormal import probability
 from shaketable.fragility.nrml import NAMESPACE, write_nrml
-from shaketable.fragility.pelicun import FILES, write_into
+from shaketable.fragility.pelicun import UNITS, write_into
 from shaketable.fragility.shown import SHOWN, MeasureUnit
 from shaketable.hazard.curve import Hazard
 from shaketable.hazard.objects import ObjectRate, ObjectRates
 from shaketable.hazard.totals import BEYOND
+from shaketable.signal import Measure
 
 OPENQUAKE, PELICUN = "openquake", "pelicun"
-JOBS = (OPENQUAKE, PELICUN)
+#: The tools, with the units in which each takes measures, and their names.
+READERS = {OPENQUAKE: (SHOWN, "OpenQuake"), PELICUN: (UNITS, "pelicun")}
+JOBS = tuple(READERS)
 YEARS = 1.0  # of the probabilities of the hazard curve
 STEPS = 200  # levels of the hazard curve and of vulnerability functions
 LOWEST = 0.1  # of the first level of the curve: what is shaken by less loses nothing
-QUANTITIES, COSTS = "CMP_QNT.csv", FILES[2]
+QUANTITIES = "CMP_QNT.csv"
 JOB = """\
 [general]
 description = falls of unanchored objects
@@ -151,6 +154,12 @@ def _about(one: ObjectRate, rates: ObjectRates) -> str:
     )
 
 
+def require_measure(measure: Measure, jobs: Sequence[str]) -> None:
+    """InputError unless the tools of all jobs know a measure."""
+    for job in jobs:
+        unit_of(measure, *READERS[job])
+
+
 def write_jobs(rates: ObjectRates, folder: Path, jobs: Sequence[str]) -> None:
     """Write jobs into a folder.
 
@@ -171,7 +180,7 @@ def write_jobs(rates: ObjectRates, folder: Path, jobs: Sequence[str]) -> None:
 
 
 def _write_openquake(exposure: Exposure, hazard: Hazard, folder: Path) -> None:
-    unit = unit_of(hazard.measure, SHOWN, "OpenQuake")
+    unit = unit_of(hazard.measure, *READERS[OPENQUAKE])
     place = folder / "openquake_"
     write_nrml(exposure.export, Path(f"{place}fragility.xml"))
     _write_xml(_vulnerability(exposure.export, hazard, unit), f"{place}vulnerability.xml")
@@ -203,11 +212,10 @@ def _exposure_model(exposure: Exposure) -> ET.Element:
     model = ET.SubElement(
         root, "exposureModel", id="objects", category="contents", taxonomySource="shaketable"
     )
-    ET.SubElement(
-        model, "description"
-    ).text = "Unanchored objects; the value of an asset is that of all its pieces"
-    costs = ET.SubElement(ET.SubElement(model, "conversions"), "costTypes")
     unit = "currency of the list" if exposure.in_cost else "pieces"
+    told = f"Unanchored objects; the value of an asset is that of all its pieces, in {unit}"
+    ET.SubElement(model, "description").text = told
+    costs = ET.SubElement(ET.SubElement(model, "conversions"), "costTypes")
     ET.SubElement(costs, "costType", name="contents", type="aggregated", unit=unit)
     ET.SubElement(model, "occupancyPeriods")
     ET.SubElement(model, "tagNames").text = "building floor"

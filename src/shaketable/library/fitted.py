@@ -2,7 +2,7 @@
 
 The probability that a state is reached at an intensity x is Φ(ln(x/θ)/β): a probit regression on
 ln x (Baker 2015). β holds what motions differ by and what was drawn of the object and the model.
-How much of it was drawn is told by `elasticities`.
+`effects` tells how much of it was drawn.
 """
 
 from __future__ import annotations

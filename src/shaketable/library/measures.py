@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError, quoted
+from shaketable.fragility.intensities import intensities
 from shaketable.motion import Motion
 from shaketable.signal import Measure, measure_named
-from shaketable.signal.intensity import Record
 
 FLOOR = "floor "
 
@@ -52,8 +52,5 @@ def measure_of(name: str) -> LibraryMeasure:
 
 def levels_of(measure: Measure, motions: Sequence[Motion]) -> NDArray[np.float64]:
     """The geometric mean of a measure of both components of each motion [SI], (motion,)."""
-    found = []
-    for motion in motions:
-        both = [Record(each.horizontal, each.time_step) for each in motion.components()]
-        found.append(float(np.exp(np.log([measure.of(each) for each in both]).mean())))
-    return np.array(found)
+    both = (intensities(motion.components(), measure)[:, 0] for motion in motions)
+    return np.array([float(np.exp(np.log(each).mean())) for each in both])

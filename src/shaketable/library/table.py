@@ -128,7 +128,7 @@ def table_of(functions: Sequence[LibraryFunction]) -> pd.DataFrame:
 
 
 def rounded(table: pd.DataFrame) -> pd.DataFrame:
-    """The table with its numbers in DIGITS digits, of which none is lost that an interval knows."""
+    """The table with its numbers in DIGITS digits, more than any interval tells."""
     found = table.copy()
     for name, column in COLUMNS.items():
         if column.kind == NUMBER:

@@ -16,9 +16,9 @@ import numpy as np
 import pandas as pd
 
 from shaketable.errors import InputError
-from shaketable.fragility.exported import Export, word_of
+from shaketable.fragility.exported import word_of
 from shaketable.fragility.nrml import write_nrml
-from shaketable.fragility.pelicun import FILES, write_into
+from shaketable.fragility.pelicun import write_into
 from shaketable.fragility.shown import unit_shown
 from shaketable.library.exported import exports_of
 from shaketable.library.measures import measure_of
@@ -82,7 +82,7 @@ def write_library(
         for name, export in exports_of(table, called).items():
             word = file_word(name)
             try:
-                _write_pelicun(fresh, word, export)
+                write_into(fresh, export, prefix=f"pelicun_{word}_")
             except InputError as error:
                 log.info("%s not written for pelicun: %s", name, error)
             if sets := pyincore_sets(table, name, title):
@@ -115,21 +115,6 @@ def _write_json(value: object, path: Path) -> None:
 def file_word(measure: str) -> str:
     """The name of a measure in names of files, such as PGV, floor_PGV or SA_1.0."""
     return measure.replace(" ", "_").replace("(", "_").replace(")", "")
-
-
-def _write_pelicun(fresh: Path, word: str, export: Export) -> None:
-    """The files of pelicun for a measure, each with the measure in its name."""
-    inner = fresh / word
-    inner.mkdir()
-    try:
-        write_into(inner, export)
-        for name in FILES:
-            stem, _, ending = name.partition(".")
-            (inner / name).rename(fresh / f"pelicun_{word}_{stem}.{ending}")
-    finally:
-        for path in inner.iterdir():
-            path.unlink()
-        inner.rmdir()
 
 
 def dictionary() -> pd.DataFrame:
@@ -200,7 +185,6 @@ def render(table: pd.DataFrame, title: str, edition: str, run: Mapping[str, Any]
             count=len(table),
             known=known,
             things=table["thing"].nunique(),
-            cases=table["id"].nunique(),
             not_considered=NOT_CONSIDERED,
             data=_as_script({"columns": ON_PAGE, "rows": _rows(table), "units": units}),
             run=run,
