@@ -132,7 +132,8 @@ if not RUN:  # the language of a notebook is known once it has run
 
 write_api(DOCS / "reference")
 write_commands(DOCS / "reference")
-write_library(DOCS / "library_page", DOCS.parent / "library" / "fema-p58.csv")
+for table in ("fema-p58",):
+    write_library(DOCS / "library_page", DOCS.parent / "library" / f"{table}.csv")
 
 
 def escape_bars(app: Any, what: str, name: str, obj: Any, options: Any, lines: list[str]) -> None:

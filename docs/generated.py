@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 import shutil
+import tomllib
 from importlib import import_module
 from inspect import isclass, isfunction, ismodule
 from pathlib import Path
@@ -24,18 +25,19 @@ def write_library(folder: Path, table: Path) -> None:
 
     Args:
         folder: for the page, which is called as the table.
-        table: its rows.
+        table: its rows; beside it lies the TOML file from which they were made.
     """
     from shaketable.library.published import read_library_table
     from shaketable.report.library import render
 
     folder.mkdir(exist_ok=True)
+    library = tomllib.loads(table.with_suffix(".toml").read_text(encoding="utf-8"))["library"]
     run = {
         "versions": {"shaketable": shaketable.__version__},
         "command": f"shaketable library library/{table.name}",
         "finished": "as published",
     }
-    page = render(read_library_table(table), "Unanchored furniture of FEMA P-58", "1.0", run)
+    page = render(read_library_table(table), library["title"], library["edition"], run)
     (folder / f"{table.stem}.html").write_text(page, encoding="utf-8")
 
 

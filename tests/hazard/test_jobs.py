@@ -13,7 +13,8 @@ import pytest
 from shaketable import Body, InputError, Motion
 from shaketable.fragility.nrml import NAMESPACE
 from shaketable.hazard import Hazard, read_hazard
-from shaketable.hazard.jobs import JOBS, exposure_of, require_measure, write_jobs
+from shaketable.hazard.exported import exported_objects
+from shaketable.hazard.jobs import JOBS, require_measure, write_jobs
 from shaketable.hazard.objects import ObjectRates, object_rates
 from shaketable.inventory import Item
 from shaketable.signal.intensity import measure_named
@@ -69,7 +70,7 @@ def test_the_exposure_is_the_list(folder: Path, rates: ObjectRates) -> None:
     functions = mapping.loc[assets["taxonomy"], "risk_id"].tolist()
     root = ET.parse(folder / "openquake_fragility.xml").getroot()
     there = {each.get("id") for each in root.iter(f"{{{NAMESPACE}}}fragilityFunction")}
-    assert there == set(functions) == set(exposure_of(rates).functions)
+    assert there == set(functions) == set(exported_objects(rates).functions)
     assert "currency of the list" in (folder / "openquake_exposure.xml").read_text()
 
 
@@ -126,7 +127,7 @@ def test_the_hazard_is_read_again_as_it_was(folder: Path) -> None:
 
 def test_pelicun_has_quantities_and_costs(folder: Path, rates: ObjectRates) -> None:
     quantities = pd.read_csv(folder / "CMP_QNT.csv", index_col=0)
-    first, second = exposure_of(rates).functions
+    first, second = exported_objects(rates).functions
     assert quantities["Theta_0"].to_dict() == {first: 4, second: 2}
     assert set(quantities["Blocks"]) == {1}
     library = pd.read_csv(folder / "fragility.csv", index_col=0)
@@ -145,5 +146,5 @@ def test_a_measure_that_a_tool_does_not_know_is_refused_at_once() -> None:
 
 def test_nothing_is_written_without_functions(p695: list[Motion], tmp_path: Path) -> None:
     rates = object_rates([Item(body=CHEST, height=0.5)], p695[:24], CURVE, draws=0)
-    with pytest.raises(InputError, match="nothing can be exported"):
+    with pytest.raises(InputError, match="its losses cannot be computed"):
         write_jobs(rates, tmp_path, JOBS)

@@ -9,8 +9,9 @@ import pytest
 
 from shaketable import Body, InputError, Motion
 from shaketable.hazard import Hazard
+from shaketable.hazard.exceedance import Correlation
 from shaketable.hazard.objects import ObjectRates, object_rates
-from shaketable.hazard.totals import CORRELATIONS, Correlation, loss_totals
+from shaketable.hazard.totals import VARIED, loss_totals
 from shaketable.inventory import Item
 from shaketable.report.words.hazard import of_totals
 from shaketable.signal.intensity import measure_named
@@ -53,7 +54,7 @@ def test_the_average_is_the_sum_of_the_rates(two: ObjectRates) -> None:
     assert found.value == 10 * 100 + 5 * 300
     low, high = found.average_interval
     assert low < found.average < high
-    for correlation in CORRELATIONS.values():
+    for correlation in VARIED.values():
         again = loss_totals(two, correlation=correlation)
         assert again.average == pytest.approx(expected)
 
@@ -132,13 +133,14 @@ def test_what_is_rarer_than_the_curve_is_no_result(p695: list[Motion]) -> None:
     assert not any(each.beyond_curve for each in ended.periods)
 
 
-def test_wrong_correlations_are_refused(one: ObjectRates) -> None:
-    with pytest.raises(InputError, match="correlations must be 0 <= kinds <= alike <= 1"):
-        loss_totals(one, correlation=Correlation(0.5, 0.7))
+@pytest.mark.parametrize(("alike", "kinds"), [(0.5, 0.7), (1.1, 0.5), (0.5, -0.1)])
+def test_wrong_correlations_are_refused(alike: float, kinds: float) -> None:
+    with pytest.raises(InputError, match="must be 1 >= alike >= kinds >= 0, got"):
+        Correlation(alike, kinds)
 
 
 def test_nothing_can_be_added_up_without_functions(p695: list[Motion]) -> None:
-    with pytest.raises(InputError, match="nothing can be added up"):
+    with pytest.raises(InputError, match="its losses cannot be computed"):
         loss_totals(rates_of(p695, Item(body=CHEST, height=0.5)))
 
 
@@ -147,7 +149,7 @@ def test_many_kinds_are_added_up_in_parts(
 ) -> None:
     """The curve differs by the draws alone, as the order of random numbers is another."""
     whole = loss_totals(two, correlation=Correlation(0.0, 0.0))
-    monkeypatch.setattr("shaketable.hazard.totals.AT_ONCE", 1)
+    monkeypatch.setattr("shaketable.hazard.exceedance.AT_ONCE", 1)
     parts = loss_totals(two, correlation=Correlation(0.0, 0.0))
     assert parts.rates[0] == pytest.approx(whole.rates[0], rel=0.03)
 

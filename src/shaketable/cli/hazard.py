@@ -23,7 +23,7 @@ from shaketable.report.run_log import RunLog, plain
 from shaketable.units import radians
 
 if TYPE_CHECKING:
-    from shaketable.hazard.totals import Correlation
+    from shaketable.hazard.exceedance import Correlation
 
 Curve = Annotated[
     Path,
@@ -157,7 +157,7 @@ def hazard(
 
 def _correlation(text: str | None) -> Correlation | None:
     """Correlations of "1,0.7"."""
-    from shaketable.hazard.totals import Correlation
+    from shaketable.hazard.exceedance import Correlation
 
     if text is None:
         return None
@@ -165,11 +165,6 @@ def _correlation(text: str | None) -> Correlation | None:
         alike, kinds = (float(part) for part in text.split(","))
     except ValueError:
         raise InputError(f"--correlation: two numbers with a comma, got {quoted(text)}") from None
-    if not 0.0 <= kinds <= alike <= 1.0:
-        raise InputError(
-            "--correlation: that of alike pieces and that of different kinds, 1 >= alike >= "
-            f"kinds >= 0, got {quoted(text)}"
-        )
     return Correlation(alike, kinds)
 
 
