@@ -132,7 +132,7 @@ if not RUN:  # the language of a notebook is known once it has run
 
 write_api(DOCS / "reference")
 write_commands(DOCS / "reference")
-for table in ("fema-p58",):
+for table in ("edition-1.0", "fema-p58"):
     write_library(DOCS / "library_page", DOCS.parent / "library" / f"{table}.csv")
 
 

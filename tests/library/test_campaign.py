@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import shutil
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
@@ -71,6 +72,19 @@ def work(folder: Path) -> Libraries:
     found = read_campaign(folder / "library.toml")
     assert isinstance(found, Libraries)
     return found
+
+
+def test_other_states_are_told_of_the_same_simulations(folder: Path, tmp_path: Path) -> None:
+    """What the simulations do not depend on is that of the last file, and nothing is done again."""
+    shutil.copytree(folder / "store", tmp_path / "store")
+    (tmp_path / "other.toml").write_text(TOML.replace('"uplift", ', '"slides 0.1 m", '))
+    before = {path: path.stat().st_mtime_ns for path in tmp_path.glob("store/results/cases/*")}
+    for words in (("run", "other.toml", "--store", "store"), ("collect", "store", "--out", "out")):
+        run = shaketable("campaign", *words, cwd=tmp_path)
+        assert run.returncode == 0, run.stderr
+    assert before == {path: path.stat().st_mtime_ns for path in before}
+    states = read_library_table(tmp_path / "out" / "functions.csv")["limit_state"].unique()
+    assert set(states) == {"slides 0.1 m", "overturns", "reaches 0.8 m"}
 
 
 def test_it_is_not_done_again(folder: Path) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -85,6 +87,22 @@ def test_the_parts_of_beta_come_out_again(ground: list[Motion]) -> None:
     assert MOVING < 0.05
 
 
+def test_what_leans_has_not_overturned_and_is_told(ground: list[Motion]) -> None:
+    """A tenth of what stands leans: the function of overturning is the same, and says so."""
+    runs = simulated(ground)
+    leaning = replace(runs, leans=~runs.fell & (np.arange(runs.draw.size) % 10 == 0))
+    shaking = Shaking(ground, draws=0)
+    given = {"states": [limit_state("overturns"), limit_state("overturns or leans")],
+             "measures": ["PGV"]}  # fmt: skip
+    case = replace(CASE, held=Held(draws=8, wall_gap=0.01))
+    before, _ = functions_of_case(case, runs, shaking, **given)
+    falls, either = functions_of_case(case, leaning, shaking, **given)
+    assert falls.curve.median == before.curve.median
+    assert either.curve.median < falls.curve.median
+    assert "see 'overturns or leans'" in falls.caution
+    assert "leaning" not in before.caution + either.caution
+
+
 def effects(slope: float, error: float, spread: float = 1.0) -> Effects:
     """The effect of the centre of gravity per unit of it; of restitution nothing is known."""
     return Effects(
@@ -155,7 +173,8 @@ def test_states_are_reached_by_what_they_say() -> None:
     )  # fmt: skip
     for text, expected in {
         "uplift": [False, True, True], "slides 0.1 m": [False, True, True],
-        "walks off": [False, False, True], "overturns": [True, False, True],
+        "walks off": [False, False, True], "overturns": [False, False, True],
+        "overturns or leans": [True, False, True],
         "reaches 0.8 m": [False, True, True],
     }.items():  # fmt: skip
         state = limit_state(text)
@@ -164,6 +183,9 @@ def test_states_are_reached_by_what_they_say() -> None:
     table = Case(thing=CASE.thing, stand=Stand(), held=Held(name="table", edge=0.1))
     assert has_state(table, limit_state("walks off"))
     assert not has_state(table, limit_state("reaches 0.8 m"))
+    assert not has_state(table, limit_state("overturns or leans"))
+    wall = Case(thing=CASE.thing, stand=Stand(), held=Held(name="wall", wall_gap=0.01))
+    assert has_state(wall, limit_state("overturns or leans"))
 
 
 def test_every_column_is_explained(ground: list[Motion]) -> None:

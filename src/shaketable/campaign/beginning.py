@@ -68,6 +68,9 @@ def begin(work: Work, objects: Objects, fresh: bool) -> dict[str, Any]:
                     "what is done and begin anew"
                 )
             _mend(work, made, told, objects)
+            if any(told.get(name) != value for name, value in _plain(work.told()).items()):
+                # what the results do not depend on, as limit states that are told of them
+                kinds.save_plan(work, made, objects)
             return made
         if objects.names(DONE):
             raise InputError(
@@ -96,6 +99,11 @@ def _require_alike(work: Work, told: dict[str, Any], objects: Objects) -> None:
             f"{objects.place}: was begun with another campaign ({told.get('kind')} → {work.kind}); "
             "give another store, or --fresh to delete what is done and begin anew"
         )
+
+
+def _plain(told: Mapping[str, Any]) -> dict[str, Any]:
+    """As JSON gives it back."""
+    return dict(json.loads(json.dumps(told)))
 
 
 def _told(objects: Objects) -> dict[str, Any] | None:

@@ -41,6 +41,11 @@ def kind_of(
 def save(work: Work, made: dict[str, Any], objects: Objects) -> None:
     """Write what is to be done, with the hashes of all that it depends on; the plan comes last."""
     save_motions(work.motions, objects)
+    save_plan(work, made, objects)
+
+
+def save_plan(work: Work, made: dict[str, Any], objects: Objects) -> None:
+    """Write what is to be done, of motions that are written."""
     objects.put_json(
         PLAN,
         {

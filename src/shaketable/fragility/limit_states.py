@@ -18,6 +18,9 @@ if TYPE_CHECKING:
 
 OVERTURNS, UPLIFT, ROCKS, SLIDES = "overturns", "uplift", "rocks", "slides"
 WALKS_OFF, REACHES = "walks off", "reaches"
+LEANS = "overturns or leans"
+#: What planar bodies are not asked.
+OF_LIBRARIES = (WALKS_OFF, REACHES, LEANS)
 _NUMBERED = re.compile(r"(rocks|slides|reaches)\s+([0-9.eE+-]+)\s*(α|alpha|m)")
 _UNITS = {"rocks": ("α", "alpha"), "slides": ("m",), "reaches": ("m",)}
 #: What each means; {least} is its number.
@@ -27,6 +30,7 @@ MEANINGS = {
     ROCKS: "It rocks to {least} of its slenderness.",
     SLIDES: "It slides by {least} m, or falls.",
     WALKS_OFF: "It goes over the edge of its table.",
+    LEANS: "It falls over, or ends leaning on its wall or held up by its strap, at any angle.",
     REACHES: "Once it stands or lies again, it covers ground {least} m or farther from the wall "
     "behind it, or from the line of its back where there is no wall.",
 }
@@ -38,7 +42,8 @@ class LimitState:
 
     Attributes:
         kind: overturns, uplift (it rocks at all), rocks (to a share of its slenderness), slides,
-            walks off (its table) or reaches (so far from the wall behind it).
+            walks off (its table), reaches (so far from the wall behind it), or overturns or leans
+            (on its wall or in its strap).
         least: that share, the slip or the distance [m]; 0 for the others.
     """
 
@@ -70,7 +75,7 @@ class LimitState:
         fallen = fell(runs)
         if self.kind == OVERTURNS:
             return fallen
-        if self.kind in (WALKS_OFF, REACHES):
+        if self.kind in OF_LIBRARIES:
             raise InputError(f"limit state {self.name!r} is of the things of a library alone")
         if self.kind in (UPLIFT, ROCKS) and "peak_rotation" not in runs:
             raise InputError(f"limit state {self.name!r}: the runs hold no peak_rotation")
@@ -100,7 +105,7 @@ def limit_state(text: str) -> LimitState:
         InputError: none of this name.
     """
     word = text.strip()
-    if word in (OVERTURNS, UPLIFT, WALKS_OFF):
+    if word in (OVERTURNS, UPLIFT, WALKS_OFF, LEANS):
         return LimitState(word)
     match = _NUMBERED.fullmatch(word)
     try:
@@ -115,7 +120,8 @@ def limit_state(text: str) -> LimitState:
     if match is None or not (np.isfinite(least) and least > 0.0):
         raise InputError(
             f"unknown limit state {quoted(text)}; accepted: overturns, uplift, 'rocks 0.5 α' "
-            "(or alpha), 'slides 0.1 m', and in a library 'walks off' and 'reaches 0.8 m'"
+            "(or alpha), 'slides 0.1 m', and in a library 'overturns or leans', 'walks off' and "
+            "'reaches 0.8 m'"
         )
     return LimitState(match[1], least)
 

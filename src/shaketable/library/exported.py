@@ -9,11 +9,8 @@ import pandas as pd
 
 from shaketable.fragility.curve import GROUND
 from shaketable.fragility.exported import Export, Function, Functions
-from shaketable.fragility.limit_states import OVERTURNS, LimitState, limit_state
+from shaketable.fragility.limit_states import LimitState, limit_state
 from shaketable.library.measures import measure_of
-
-#: What overturning means where something may hold a thing up.
-LEANING = "It falls over, or ends leaning on its wall or in its strap."
 
 
 def exports_of(table: pd.DataFrame, title: str) -> dict[str, Export]:
@@ -60,10 +57,9 @@ def about(row: Mapping[str, Any] | pd.Series[Any], state: LimitState) -> str:
     """What a row is of, in sentences."""
     held = {"free": "standing free"}.get(str(row["held"]), str(row["held"]))
     tilted = f", on a tilt of {row['tilt']:g}° toward its back" if row["tilt"] else ""
-    leaning = state.kind == OVERTURNS and pd.notna(row["wall_gap"])
     return (
         f"{row['depth']:.3g} m deep, {row['width']:.3g} m wide, {row['height']:.3g} m high, "
         f"{held}{tilted}; {row['place']}; friction {row['friction_low']:g} to "
-        f"{row['friction_high']:g}. {LEANING if leaning else state.meaning} The demand is "
+        f"{row['friction_high']:g}. {state.meaning} The demand is "
         f"{row['measure']}, the geometric mean of both horizontal components."
     )

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from shaketable.fragility.curve import GROUND, Curve
 from shaketable.fragility.exported import word_of
-from shaketable.fragility.limit_states import LimitState
+from shaketable.fragility.limit_states import LEANS, OVERTURNS, LimitState
 from shaketable.fragility.lognormal import Points, fit_many, probability
 from shaketable.library.case import Case
 from shaketable.library.draws import Draws, draws_of
@@ -33,6 +33,8 @@ DRAWS = 200
 TESTS = 0.20
 #: Share of runs that were given up while the thing still moved, above which a caution says so.
 MOVING = 0.02
+#: Share of runs that ended leaning, above which the function of overturning says so.
+LEANING = 0.02
 #: Parts of the simulations in which shares are compared with a function, and by how much they may
 #: differ before a caution says so: some three standard errors of a share of 48 recordings' draws.
 BINS, DEPARTS = 8, 0.1
@@ -48,7 +50,7 @@ class LibraryFunction:
         effects: of what was drawn on ln θ.
         simulations: how many it was fitted to.
         moving: share of them that were given up while the thing still moved.
-        leaning: share of them that ended leaning on a wall or in a strap.
+        leaning: share of them that ended leaning on a wall or held up by a strap.
         departs: largest difference between the function and the share that reaches the state, in
             BINS parts of the simulations.
         strongest: share that reaches it at the largest factor on the motions.
@@ -90,6 +92,11 @@ class LibraryFunction:
             said.append(
                 f"the share of simulations that reach the state departs from the function by up to "
                 f"{self.departs:.0%}: it is not lognormal"
+            )
+        if self.state.kind == OVERTURNS and self.leaning > LEANING:
+            said.append(
+                f"{self.leaning:.0%} of the simulations end leaning on the wall or held up by the "
+                f"strap, and have not overturned: see {LEANS!r}"
             )
         if self.moving > MOVING:
             said.append(

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from shaketable.errors import InputError, quoted
 from shaketable.fragility.limit_states import (
+    LEANS,
     OVERTURNS,
     REACHES,
     ROCKS,
@@ -35,12 +36,15 @@ def state_of_library(text: str) -> LimitState:
 
 
 def has_state(case: Case, state: LimitState) -> bool:
-    """Whether a case can come to a state: what stands on a table walks off it, other things reach.
+    """Whether a case can come to a state.
 
-    A thing that covers the ground so far from the wall before it is shaken has no such state.
+    What stands on a table walks off it; other things reach, and lean where there is a wall. A thing
+    that covers the ground so far from the wall before it is shaken has no such state.
     """
     if state.kind == WALKS_OFF:
         return case.held.edge is not None
+    if state.kind == LEANS:
+        return case.held.wall_gap is not None
     if state.kind == REACHES:
         at_rest = wall_behind(case) + case.thing.depth * (1.0 + BASE_DIFFERS)
         return case.held.edge is None and at_rest < state.least
@@ -50,13 +54,14 @@ def has_state(case: Case, state: LimitState) -> bool:
 def reached(state: LimitState, runs: CaseRuns) -> NDArray[np.bool_]:
     """Whether each simulation reached a state, (run,).
 
-    What fell has lifted off and slid, too, and what ends leaning on its wall or in its strap has
-    overturned: it is no place to stand under.
+    What fell has lifted off and slid, too. What ends leaning on its wall or in its strap has not
+    overturned; mostly its foot walked from the wall by centimetres and its strap keeps its top.
     """
     return {
         UPLIFT: runs.fell | (runs.rotation > 0.0),
         SLIDES: runs.fell | (runs.farthest >= state.least),
         WALKS_OFF: runs.off,
-        OVERTURNS: runs.fell | runs.leans,
+        OVERTURNS: runs.fell,
+        LEANS: runs.fell | runs.leans,
         REACHES: runs.reach >= state.least,
     }[state.kind]

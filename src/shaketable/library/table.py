@@ -64,8 +64,9 @@ COLUMNS = {
     "friction_low": LibraryColumn(NUMBER, "1", "least coefficient of friction drawn"),
     "friction_high": LibraryColumn(NUMBER, "1", "largest coefficient of friction drawn"),
     "limit_state": LibraryColumn(
-        TEXT, "", "what is reached: uplift, slides so far, walks off its table, overturns (falls, "
-        "or ends leaning on its wall or in its strap), reaches so far from the wall behind it",
+        TEXT, "", "what is reached: uplift, slides so far, walks off its table, overturns (falls), "
+        "overturns or leans (or ends leaning on its wall or held up by its strap, at any angle), "
+        "reaches so far from the wall behind it",
     ),
     "measure": LibraryColumn(
         TEXT, "", "intensity measure, geometric mean of both horizontal components; of the ground, "
@@ -106,12 +107,13 @@ COLUMNS = {
         WHOLE, "1", "recordings of which at least one simulation reaches the state"
     ),
     "leaning": LibraryColumn(
-        NUMBER, "1", "share of simulations that end leaning on a wall or in a strap, which count "
-        "as overturned",
+        NUMBER, "1", "share of simulations that end leaning on a wall or held up by a strap, at "
+        "any angle; they have not overturned",
     ),
     "given_up": LibraryColumn(
-        NUMBER, "1", "share of simulations that were stopped while the thing still moved; without "
-        "a strap they count as standing, so that the true share is as high or higher"
+        NUMBER, "1", "share of simulations that were stopped while the thing still moved, which "
+        "have not overturned, so that the true share is as high or higher; in a strap they count "
+        "as leaning",
     ),
     "problem": LibraryColumn(TEXT, "", "why there is no function"),
     "caution": LibraryColumn(TEXT, "", "what is weak about it"),

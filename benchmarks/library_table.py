@@ -1,0 +1,108 @@
+"""`python -m benchmarks.library_table [TABLE]`: what the rows of a library say, in two tables.
+
+TABLE is library/edition-1.0.csv by default. The first table has the median of every thing that
+stands on a floor; the second by what a wall, a strap, a tilt and a floor multiply medians.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pandas as pd
+
+from shaketable.fragility.limit_states import LEANS, OVERTURNS
+from shaketable.library.published import found_rows, read_library_table
+
+TABLE = Path(__file__).parents[1] / "library" / "edition-1.0.csv"
+GROUND, PGV, FLOOR_PGV = "ground", "PGV", "floor PGV"
+
+
+class Column(NamedTuple):
+    """A column of the table of things: where a thing stands, and over which measure."""
+
+    title: str
+    on_floor: bool
+    held: str
+    tilt: float = 0.0
+
+
+COLUMNS = (
+    Column("free", False, "free"),
+    Column("free, 2°", False, "free", 2.0),
+    Column("wall 10 mm", False, "wall 10 mm"),
+    Column("wall, 2°", False, "wall 10 mm", 2.0),
+    Column("strap 1 W", False, "strap 1 W"),
+    Column("floor: free", True, "free"),
+    Column("floor: wall", True, "wall 10 mm"),
+    Column("floor: strap", True, "strap 1 W"),
+)
+#: What is compared: each column beside that in which one thing is otherwise.
+BESIDE = (
+    ("a wall", "wall 10 mm", "free"), ("a strap", "strap 1 W", "wall 10 mm"),
+    ("a tilt of 2°", "free, 2°", "free"), ("a tilt of 2° at a wall", "wall, 2°", "wall 10 mm"),
+    ("the floor, free", "floor: free", "free"), ("the floor, at a wall", "floor: wall",
+                                                 "wall 10 mm"),
+    ("the floor, strapped", "floor: strap", "strap 1 W"),
+)  # fmt: skip
+
+
+def medians(table: pd.DataFrame, column: Column, state: str = OVERTURNS) -> pd.Series[float]:
+    """θ of the things of a column by their names [m/s]; NaN where there is no function."""
+    rows = found_rows(table, limit_state=state, measure=FLOOR_PGV if column.on_floor else PGV)
+    here = (rows["held"] == column.held) & (rows["tilt"] == column.tilt)
+    here &= (rows["place"] != GROUND) == column.on_floor
+    return rows[here].set_index("thing")["median"]
+
+
+def shown(median: float) -> str:
+    """In cm/s."""
+    return "none" if np.isnan(median) else f"{100 * median:.0f}"
+
+
+def ratios(values: pd.Series[float]) -> str:
+    """Their geometric mean and their range."""
+    return f"{np.exp(np.log(values).mean()):.2f} ({values.min():.2f} to {values.max():.2f})"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("table", nargs="?", type=Path, default=TABLE)
+    table = read_library_table(parser.parse_args().table)
+    falls = table[(table["limit_state"] == OVERTURNS) & (table["edge"].isna())]
+    things = falls.drop_duplicates("thing").set_index("thing")
+    columns = {each.title: medians(table, each) for each in COLUMNS}
+    columns = {title: each for title, each in columns.items() if each.size}
+    print(f"| thing | depth × width × height [m] | {' | '.join(columns)} |")
+    print(f"|---|---|{'---:|' * len(columns)}")
+    for thing, about in things.iterrows():
+        size = f"{about['depth']:.2g} × {about['width']:.2g} × {about['height']:.3g}"
+        cells = [shown(each[thing]) if thing in each else "" for each in columns.values()]
+        print(f"| {thing} | {size} | {' | '.join(cells)} |")
+
+    has_leans = (table["limit_state"] == LEANS).any()
+    leans = {
+        each.title: medians(table, each, LEANS if each.held != "free" and has_leans else OVERTURNS)
+        for each in COLUMNS
+    }
+    print("\n| beside the same thing without it | θ of falls is multiplied by | θ of falls and "
+          "leaning by | things |\n|---|---|---|---:|")  # fmt: skip
+    for what, one, other in BESIDE:
+        if one in columns and other in columns:
+            falls_by, either_by = (
+                (each[one] / each[other]).dropna() for each in (columns, leans)
+            )  # fmt: skip
+            print(f"| {what} | {ratios(falls_by)} | {ratios(either_by)} | {falls_by.size} |")
+
+    known = table["median"].notna()
+    print(f"\n{len(table):,} rows of {table['id'].str.rsplit('.', n=1).str[0].nunique()} cases and "
+          f"{table['thing'].nunique()} things; {int(known.sum()):,} with a function, "
+          f"{int((table['caution'] != '').sum()):,} of them with a caution; β of overturning "
+          f"{falls['beta'].quantile(0.05):.2f} to {falls['beta'].quantile(0.95):.2f} (5 and 95 % "
+          "of the rows)")  # fmt: skip
+
+
+if __name__ == "__main__":
+    main()
