@@ -32,12 +32,10 @@ def write_library(folder: Path, table: Path) -> None:
 
     folder.mkdir(exist_ok=True)
     library = tomllib.loads(table.with_suffix(".toml").read_text(encoding="utf-8"))["library"]
-    run = {
-        "versions": {"shaketable": shaketable.__version__},
-        "command": f"shaketable library library/{table.name}",
-        "finished": "as published",
-    }
-    page = render(read_library_table(table), library["title"], library["edition"], run)
+    page = render(
+        read_library_table(table), library["title"], library["edition"], {},
+        published=f"{table.parent.name}/{table.stem}",
+    )  # fmt: skip
     (folder / f"{table.stem}.html").write_text(page, encoding="utf-8")
 
 

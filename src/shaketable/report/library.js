@@ -14,6 +14,12 @@ function shown(row, name) {
   return row[name] === null ? "–" : number(row[name] * factor);
 }
 
+// 1, 2 or 5 times a power of ten, not below a value
+function round(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return power * [1, 2, 5, 10].find(each => each * power >= value);
+}
+
 function fill() {
   for (const name of CHOICES) {
     const values = [...new Set(rows.map(row => row[name]))];
@@ -33,7 +39,7 @@ function find() {
 
 function list() {
   const known = found.filter(row => row.median !== null).length;
-  at("count").textContent = `${found.length} rows, ${known} of them with a function.`;
+  at("count").textContent = `${found.length} ${found.length === 1 ? "row" : "rows"}, ${known} of them with a function.`;
   at("rows").replaceChildren(...found.slice(0, most).map(line));
   at("more").hidden = found.length <= most;
 }
@@ -115,8 +121,8 @@ function drawn(row) {
     picture.append(svg("line", { x1: left, x2: W - right, y1: y(p), y2: y(p), stroke: "currentColor", opacity: 0.15 }));
     picture.append(svg("text", { x: left - 6, y: y(p) + 4, "text-anchor": "end", ...ink }, String(p)));
   }
-  for (let k = 0; k <= 4; k++) {
-    picture.append(svg("text", { x: x(end * k / 4), y: H - bottom + 16, "text-anchor": k === 4 ? "end" : "middle", ...ink }, number(end * factor * k / 4, 2)));
+  for (let tick = 0, step = round(end * factor / 5); tick <= end * factor; tick += step) {
+    picture.append(svg("text", { x: x(tick / factor), y: H - bottom + 16, "text-anchor": "middle", ...ink }, number(tick)));
   }
   picture.append(svg("text", { x: (left + W) / 2, y: H - 6, "text-anchor": "middle", ...ink }, `${row.measure} [${unit}]`));
   picture.append(svg("text", { x: 12, y: (H - bottom) / 2, transform: `rotate(-90 12 ${(H - bottom) / 2})`, "text-anchor": "middle", ...ink }, `probability of: ${row.limit_state}`));

@@ -43,7 +43,8 @@ NOT_CONSIDERED = (
     "open, soft feet and carpets are not in them. Motions are recorded ones of moderate to large "
     "earthquakes, scaled, without their vertical component; buildings are linear. The sizes of a "
     "kind are assumed from what such things commonly measure. β_model holds what shake-table tests "
-    "of two granite blocks ask for; no furniture was tested. A function is of one thing alone: "
+    "of two granite blocks ask for; no furniture was tested. Straps break, but their anchors and "
+    "walls do not, and their stiffness is assumed. A function is of one thing alone: "
     "what falls onto it or leans on it is not in it."
 )
 
@@ -169,8 +170,15 @@ def data_package(folder: Path, title: str, edition: str, run: Mapping[str, Any])
     }
 
 
-def render(table: pd.DataFrame, title: str, edition: str, run: Mapping[str, Any]) -> str:
-    """The page."""
+def render(
+    table: pd.DataFrame, title: str, edition: str, run: Mapping[str, Any], *, published: str = ""
+) -> str:
+    """The page; arguments as for `write_library`.
+
+    Args:
+        published: the path of the table in the repository without its ending, of a page that
+            stands by itself.
+    """
     units = {}
     for name in table["measure"].unique():
         unit = unit_shown(measure_of(str(name)).measure)
@@ -188,6 +196,7 @@ def render(table: pd.DataFrame, title: str, edition: str, run: Mapping[str, Any]
             not_considered=NOT_CONSIDERED,
             data=_as_script({"columns": ON_PAGE, "rows": _rows(table), "units": units}),
             run=run,
+            published=published,
         )
     )
 
