@@ -72,7 +72,7 @@ def main() -> None:
     for key, each in ratios.items():
         print(f"{', '.join(key)}: θ is {min(each):.2f} to {max(each):.2f} times that of P-58, "
               f"{np.exp(np.log(each).mean()):.2f} in the mean")  # fmt: skip
-    one = found_rows(table, words="bookcase.5.", measure="PGV", place="ground", held="free").iloc[0]
+    one = found_rows(table, words="bookcase 5", measure="PGV", place="ground", held="free").iloc[0]
     theirs = next(each.median for each in OBJECTS if each.name == "bookcase, 5 shelves")
     chances = [
         float(probability(np.array(LEVEL), np.array(median), np.array(beta)))

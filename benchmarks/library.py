@@ -28,7 +28,7 @@ from shaketable.fragility.limit_states import OVERTURNS, LimitState
 from shaketable.fragility.lognormal import Points, fit_many, reflected
 from shaketable.library.case import Case
 from shaketable.library.fitted import Shaking, functions_of_case
-from shaketable.library.measures import measure_of
+from shaketable.library.measures import levels_of, measure_of
 from shaketable.library.shaken import CaseRuns, motions_under, simulated
 from shaketable.progress import duration
 from shaketable.resampling import nested_resamples
@@ -78,10 +78,14 @@ def direct(work: Libraries, runs: list[CaseRuns], rows: int, seed: int) -> None:
         if len(inside) == rows:
             break
     print(f"{len(inside)} rows at random, simulated again under the same motions with other draws: "
-          f"medians depart by {100 * np.std(departs):.1f} % (standard deviation), "
+          f"medians depart by {100 * _root_mean_square(departs):.1f} % (root mean square), "
           f"{100 * np.abs(departs).max():.0f} % at most, {sum(inside)} of them within the row's "
           f"interval; shares of falls at a factor depart from the row's function by "
-          f"{100 * np.sqrt(np.mean(np.square(shares))):.1f} % (root mean square)")  # fmt: skip
+          f"{100 * _root_mean_square(shares):.1f} % (root mean square)")  # fmt: skip
+
+
+def _root_mean_square(values: list[float]) -> float:
+    return float(np.sqrt(np.mean(np.square(values))))
 
 
 def held_out(work: Libraries, runs: list[CaseRuns], seed: int) -> None:
@@ -156,10 +160,12 @@ def leaning(work: Libraries, runs: list[CaseRuns]) -> None:
     straps = [found for case, found in zip(work.cases, runs, strict=True) if case.held.strength]
     if not straps:
         return
-    turned = np.degrees(np.concatenate([each.rotation[each.leans] for each in straps]))
-    came = 100.0 * np.concatenate([each.farthest[each.leans] for each in straps])
-    print(f"\n{turned.size:,} of {sum(each.fell.size for each in straps):,} simulations in a strap "
-          f"end leaning: half of them turned by {np.median(turned):.1f}° at most, 95 % by "
+    # those that were given up while they still swung have no angle at which they lean
+    turned = np.degrees(np.concatenate([run.rotation[run.leans & ~run.moving] for run in straps]))
+    came = 100.0 * np.concatenate([run.farthest[run.leans & ~run.moving] for run in straps])
+    every = sum(run.fell.size for run in straps)
+    print(f"\n{turned.size:,} of {every:,} simulations in a strap come to rest leaning: half of "
+          f"them never turned by more than {np.median(turned):.1f}°, 95 % by "
           f"{np.quantile(turned, 0.95):.1f}°; their foot came {np.median(came):.0f} cm far in the "
           "median")  # fmt: skip
 
@@ -215,6 +221,8 @@ def main() -> None:
     work = work_of(objects)
     assert isinstance(work, Libraries)
     runs = runs_of(work, objects)
+    strongest = max(levels_of(measure_of(MEASURE).measure, work.ground))
+    print(f"the strongest motion as recorded: {MEASURE} {100 * strongest:.0f} cm/s")
     direct(work, runs, given.rows, given.seed)
     held_out(work, runs, given.seed)
     monotone(work, runs)

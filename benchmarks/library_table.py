@@ -39,14 +39,19 @@ COLUMNS = (
     Column("floor: wall", True, "wall 10 mm"),
     Column("floor: strap", True, "strap 1 W"),
 )
+STRONG = 3.0  # m/s: the strongest that was ever recorded; medians above it are not told
 #: What is compared: each column beside that in which one thing is otherwise.
 BESIDE = (
-    ("a wall", "wall 10 mm", "free"), ("a strap", "strap 1 W", "wall 10 mm"),
-    ("a tilt of 2°", "free, 2°", "free"), ("a tilt of 2° at a wall", "wall, 2°", "wall 10 mm"),
-    ("the floor, free", "floor: free", "free"), ("the floor, at a wall", "floor: wall",
-                                                 "wall 10 mm"),
-    ("the floor, strapped", "floor: strap", "strap 1 W"),
-)  # fmt: skip
+    ("at a wall, beside free", "wall 10 mm", "free"),
+    ("in a strap, beside at a wall", "strap 1 W", "wall 10 mm"),
+    ("on a tilt of 2°, beside level, free", "free, 2°", "free"),
+    ("on a tilt of 2°, beside level, at a wall", "wall, 2°", "wall 10 mm"),
+    ("at a wall, beside free, on the floor", "floor: wall", "floor: free"),
+    ("in a strap, beside at a wall, on the floor", "floor: strap", "floor: wall"),
+    ("PGV of the floor beside that of the ground, free", "floor: free", "free"),
+    ("PGV of the floor beside that of the ground, at a wall", "floor: wall", "wall 10 mm"),
+    ("PGV of the floor beside that of the ground, in a strap", "floor: strap", "strap 1 W"),
+)
 
 
 def medians(table: pd.DataFrame, column: Column, state: str = OVERTURNS) -> pd.Series[float]:
@@ -59,6 +64,8 @@ def medians(table: pd.DataFrame, column: Column, state: str = OVERTURNS) -> pd.S
 
 def shown(median: float) -> str:
     """In cm/s."""
+    if median > STRONG:
+        return f"> {100 * STRONG:.0f}"
     return "none" if np.isnan(median) else f"{100 * median:.0f}"
 
 
@@ -87,14 +94,19 @@ def main() -> None:
         each.title: medians(table, each, LEANS if each.held != "free" and has_leans else OVERTURNS)
         for each in COLUMNS
     }
-    print("\n| beside the same thing without it | θ of falls is multiplied by | θ of falls and "
-          "leaning by | things |\n|---|---|---|---:|")  # fmt: skip
+    print("\n| compared | θ of falls is multiplied by | θ of falls and leaning by | things |\n"
+          "|---|---|---|---:|")  # fmt: skip
     for what, one, other in BESIDE:
         if one in columns and other in columns:
+            four = pd.DataFrame(
+                [columns[one], columns[other], leans[one], leans[other]]
+            ).T.dropna()  # fmt: skip
+            four = four[(four < STRONG).all(axis=1)]
             falls_by, either_by = (
-                (each[one] / each[other]).dropna() for each in (columns, leans)
-            )  # fmt: skip
-            print(f"| {what} | {ratios(falls_by)} | {ratios(either_by)} | {falls_by.size} |")
+                four.iloc[:, 0] / four.iloc[:, 1],
+                four.iloc[:, 2] / four.iloc[:, 3],
+            )
+            print(f"| {what} | {ratios(falls_by)} | {ratios(either_by)} | {len(four)} |")
 
     known = table["median"].notna()
     print(f"\n{len(table):,} rows of {table['id'].str.rsplit('.', n=1).str[0].nunique()} cases and "

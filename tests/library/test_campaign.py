@@ -82,6 +82,8 @@ def test_other_states_are_told_of_the_same_simulations(folder: Path, tmp_path: P
     for words in (("run", "other.toml", "--store", "store"), ("collect", "store", "--out", "out")):
         run = shaketable("campaign", *words, cwd=tmp_path)
         assert run.returncode == 0, run.stderr
+        if words[0] == "run":
+            assert "its plan now has another library.states" in run.stderr
     assert before == {path: path.stat().st_mtime_ns for path in before}
     states = read_library_table(tmp_path / "out" / "functions.csv")["limit_state"].unique()
     assert set(states) == {"slides 0.1 m", "overturns", "reaches 0.8 m"}

@@ -101,6 +101,48 @@ def test_what_leans_has_not_overturned_and_is_told(ground: list[Motion]) -> None
     assert either.curve.median < falls.curve.median
     assert "see 'overturns or leans'" in falls.caution
     assert "leaning" not in before.caution + either.caution
+    rare = replace(runs, leans=leaning.leans & (runs.scale == SCALES[0]))
+    falls, _ = functions_of_case(case, rare, shaking, **given)
+    assert falls.leaning == pytest.approx(0.2)  # every fifth one at that factor
+
+
+def test_a_function_below_one_that_it_includes_says_so(ground: list[Motion]) -> None:
+    """All falls at strong shaking, three tenths lean at any weak one: no lognormal does both."""
+    runs = simulated(ground)
+    runs = replace(runs, fell=runs.fell & (runs.scale > 1.0))
+    weak = (runs.scale < 1.0) & (np.arange(runs.draw.size) % 10 < 3)
+    given = {"states": [limit_state("overturns"), limit_state("overturns or leans")],
+             "measures": ["PGV"]}  # fmt: skip
+    case = replace(CASE, held=Held(draws=8, wall_gap=0.01))
+    falls, either = functions_of_case(
+        case, replace(runs, leans=~runs.fell & weak), Shaking(ground, draws=0), **given
+    )
+    level = np.geomspace(0.1, 5.0, 500)
+    more = (falls.curve.probability(level) - either.curve.probability(level)).max()
+    assert either.crosses == pytest.approx(more, abs=0.01)
+    assert "take the larger of both" in either.caution
+    assert falls.crosses == 0.0
+
+
+def test_a_median_above_all_motions_as_recorded_says_so(ground: list[Motion]) -> None:
+    (one,) = functions_of_case(
+        CASE, simulated(ground), Shaking(ground, draws=0), states=[limit_state("overturns")],
+        measures=["PGV"],
+    )  # fmt: skip
+    strongest = levels_of(measure_named("PGV"), ground).max()
+    assert one.scaled == pytest.approx(one.curve.median / strongest)
+    assert "as recorded" not in one.caution
+    assert "is 1.2 times the strongest motion as recorded" in replace(one, scaled=1.2).caution
+
+
+def test_what_reaches_no_farther_is_no_extrapolation(ground: list[Motion]) -> None:
+    (one,) = functions_of_case(
+        CASE, simulated(ground), Shaking(ground, draws=0), states=[limit_state("overturns")],
+        measures=["PGV"],
+    )  # fmt: skip
+    assert "an extrapolation" in replace(one, strongest=0.4).caution
+    reaches = replace(one, strongest=0.4, state=limit_state("reaches 0.8 m"))
+    assert "more need not do so at any level" in reaches.caution
 
 
 def effects(slope: float, error: float, spread: float = 1.0) -> Effects:

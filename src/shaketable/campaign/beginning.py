@@ -68,8 +68,13 @@ def begin(work: Work, objects: Objects, fresh: bool) -> dict[str, Any]:
                     "what is done and begin anew"
                 )
             _mend(work, made, told, objects)
-            if any(told.get(name) != value for name, value in _plain(work.told()).items()):
+            others = _otherwise(told, _plain(work.told()))
+            if others:
                 # what the results do not depend on, as limit states that are told of them
+                log.warning(
+                    "%s: its plan now has another %s; what is done is kept",
+                    objects.place, ", ".join(others),
+                )  # fmt: skip
                 kinds.save_plan(work, made, objects)
             return made
         if objects.names(DONE):
@@ -99,6 +104,18 @@ def _require_alike(work: Work, told: dict[str, Any], objects: Objects) -> None:
             f"{objects.place}: was begun with another campaign ({told.get('kind')} → {work.kind}); "
             "give another store, or --fresh to delete what is done and begin anew"
         )
+
+
+def _otherwise(told: Mapping[str, Any], made: Mapping[str, Any]) -> list[str]:
+    """The names of what a plan says otherwise, such as "library.title"."""
+    found = []
+    for name, value in made.items():
+        before = told.get(name)
+        if isinstance(value, dict) and isinstance(before, dict):
+            found += [f"{name}.{part}" for part in _otherwise(before, value)]
+        elif before != value:
+            found.append(name)
+    return found
 
 
 def _plain(told: Mapping[str, Any]) -> dict[str, Any]:

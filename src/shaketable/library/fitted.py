@@ -8,7 +8,7 @@ ln x (Baker 2015). β holds what motions differ by and what was drawn of the obj
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from shaketable.fragility.curve import GROUND, Curve
 from shaketable.fragility.exported import word_of
-from shaketable.fragility.limit_states import LEANS, OVERTURNS, LimitState
+from shaketable.fragility.limit_states import LEANS, OVERTURNS, REACHES, LimitState
 from shaketable.fragility.lognormal import Points, fit_many, probability
 from shaketable.library.case import Case
 from shaketable.library.draws import Draws, draws_of
@@ -33,11 +33,14 @@ DRAWS = 200
 TESTS = 0.20
 #: Share of runs that were given up while the thing still moved, above which a caution says so.
 MOVING = 0.02
-#: Share of runs that ended leaning, above which the function of overturning says so.
-LEANING = 0.02
+#: Share that ended leaning at one factor, above which the function of overturning says so.
+LEANING = 0.05
+#: By how much a function may exceed that of a state that includes its own without a caution.
+CROSSES = 0.05
 #: Parts of the simulations in which shares are compared with a function, and by how much they may
 #: differ before a caution says so: some three standard errors of a share of 48 recordings' draws.
 BINS, DEPARTS = 8, 0.1
+LEVELS = 60  # at which two functions are compared
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -50,10 +53,12 @@ class LibraryFunction:
         effects: of what was drawn on ln θ.
         simulations: how many it was fitted to.
         moving: share of them that were given up while the thing still moved.
-        leaning: share of them that ended leaning on a wall or held up by a strap.
+        leaning: largest share at one factor that ended leaning on a wall or held up by a strap.
         departs: largest difference between the function and the share that reaches the state, in
             BINS parts of the simulations.
         strongest: share that reaches it at the largest factor on the motions.
+        scaled: the median over the strongest of the motions as recorded.
+        crosses: by how much the function of overturning exceeds that of overturning or leaning.
     """
 
     case: Case
@@ -66,6 +71,8 @@ class LibraryFunction:
     leaning: float
     departs: float
     strongest: float
+    scaled: float
+    crosses: float = 0.0
 
     @property
     def identifier(self) -> str:
@@ -83,7 +90,12 @@ class LibraryFunction:
         if self.problem:
             return ""
         said = [self.curve.caution] if self.curve.caution else []
-        if self.strongest < 0.5:
+        if self.strongest < 0.5 and self.state.kind == REACHES:
+            said.append(
+                f"only {self.strongest:.0%} reach the state at the strongest shaking, and more "
+                "need not do so at any level, as things fall to all sides: it is not lognormal"
+            )
+        elif self.strongest < 0.5:
             said.append(
                 f"only {self.strongest:.0%} reach the state at the strongest shaking: the upper "
                 "part of the curve is an extrapolation"
@@ -95,8 +107,18 @@ class LibraryFunction:
             )
         if self.state.kind == OVERTURNS and self.leaning > LEANING:
             said.append(
-                f"{self.leaning:.0%} of the simulations end leaning on the wall or held up by the "
-                f"strap, and have not overturned: see {LEANS!r}"
+                f"at one factor on the motions {self.leaning:.0%} of the simulations end leaning "
+                f"on the wall or held up by the strap, and have not overturned: see {LEANS!r}"
+            )
+        if self.crosses > CROSSES:
+            said.append(
+                f"it is up to {self.crosses:.0%} below the function of {OVERTURNS!r}, which it "
+                "includes: take the larger of both"
+            )
+        if self.scaled > 1.0:
+            said.append(
+                f"the median is {self.scaled:.1f} times the strongest motion as recorded: it rests "
+                "on scaled motions"
             )
         if self.moving > MOVING:
             said.append(
@@ -154,9 +176,30 @@ def functions_of_case(
             continue
         once = shaking.levels(case, measure)
         level = once[runs.draw % motions] * runs.scale ** (measure.measure.power or 1)
-        for state in states:
-            if has_state(case, state):
-                found.append(_fitted(case, state, measure, level, runs, draws, shaking))
+        of_measure = [
+            _fitted(case, state, measure, level, runs, draws, shaking)
+            for state in states
+            if has_state(case, state)
+        ]
+        found += _crossed(of_measure, once, level)
+    return found
+
+
+def _crossed(
+    functions: list[LibraryFunction], once: NDArray[np.float64], level: NDArray[np.float64]
+) -> list[LibraryFunction]:
+    """The functions of a case and measure, with how far they rest on scaled motions, and cross.
+
+    Each state is fitted by itself, so that what overturns or leans may seem rarer than what
+    overturns.
+    """
+    found = [replace(one, scaled=one.curve.median / float(once.max())) for one in functions]
+    by_kind = {one.state.kind: k for k, one in enumerate(found) if not one.problem}
+    if OVERTURNS in by_kind and LEANS in by_kind:
+        falls, either = (found[by_kind[kind]].curve for kind in (OVERTURNS, LEANS))
+        levels = np.geomspace(level.min(), level.max(), LEVELS)
+        more = float((falls.probability(levels) - either.probability(levels)).max())
+        found[by_kind[LEANS]] = replace(found[by_kind[LEANS]], crosses=more)
     return found
 
 
@@ -198,9 +241,10 @@ def _fitted(
         effects=effects_of(points, draws, runs.draw, event) if known else no_effects(draws),
         simulations=level.size,
         moving=float(runs.moving.mean()),
-        leaning=float(runs.leans.mean()),
+        leaning=max(float(runs.leans[runs.scale == each].mean()) for each in np.unique(runs.scale)),
         departs=_departure(curve, points) if known else np.nan,
         strongest=float(happened[runs.scale == runs.scale.max()].mean()),
+        scaled=np.nan,
     )
 
 

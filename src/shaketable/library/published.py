@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -71,7 +72,7 @@ def found_rows(
 
     Args:
         table: of the library.
-        words: each in the id, the thing, the place or how it is held.
+        words: each a whole word of the id, the thing, the place or how it is held.
         limit_state, measure, place, held: exactly as the table has them; any if None.
 
     Raises:
@@ -90,7 +91,8 @@ def found_rows(
         found = found[found[column] == value]
     told = found["id"] + " " + found["thing"] + " " + found["place"] + " " + found["held"]
     for word in words.lower().split():
-        found = found[told.loc[found.index].str.lower().str.contains(word, regex=False)]
+        whole = rf"(?<![a-z0-9]){re.escape(word)}(?![a-z0-9])"  # "free" is not in "freezer"
+        found = found[told.loc[found.index].str.lower().str.contains(whole)]
     if found.empty:
         raise InputError(f"the library has no such rows; its things are "
                          f"{named(list(table['thing'].unique()), 10)}")  # fmt: skip

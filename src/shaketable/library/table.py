@@ -107,8 +107,8 @@ COLUMNS = {
         WHOLE, "1", "recordings of which at least one simulation reaches the state"
     ),
     "leaning": LibraryColumn(
-        NUMBER, "1", "share of simulations that end leaning on a wall or held up by a strap, at "
-        "any angle; they have not overturned",
+        NUMBER, "1", "largest share of simulations at one factor on the motions that end leaning "
+        "on a wall or held up by a strap, at any angle; they have not overturned",
     ),
     "given_up": LibraryColumn(
         NUMBER, "1", "share of simulations that were stopped while the thing still moved, which "
