@@ -82,10 +82,10 @@ def main() -> None:
     things = falls.drop_duplicates("thing").set_index("thing")
     columns = {each.title: medians(table, each) for each in COLUMNS}
     columns = {title: each for title, each in columns.items() if each.size}
-    print(f"| thing | depth × width × height [m] | {' | '.join(columns)} |")
+    print(f"| thing | size [m] | {' | '.join(columns)} |")
     print(f"|---|---|{'---:|' * len(columns)}")
     for thing, about in things.iterrows():
-        size = f"{about['depth']:.2g} × {about['width']:.2g} × {about['height']:.3g}"
+        size = f"{about['depth']:.2g}×{about['width']:.2g}×{about['height']:.3g}"
         cells = [shown(each[thing]) if thing in each else "" for each in columns.values()]
         print(f"| {thing} | {size} | {' | '.join(cells)} |")
 
