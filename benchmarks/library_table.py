@@ -39,7 +39,7 @@ COLUMNS = (
     Column("floor: wall", True, "wall 10 mm"),
     Column("floor: strap", True, "strap 1 W"),
 )
-STRONG = 3.0  # m/s: the strongest that was ever recorded; medians above it are not told
+STRONG = 3.0  # m/s: about the strongest ever recorded (Chi-Chi 1999, TCU068); above it no median
 #: What is compared: each column beside that in which one thing is otherwise.
 BESIDE = (
     ("at a wall, beside free", "wall 10 mm", "free"),
