@@ -3,8 +3,8 @@
 STORE is that of `shaketable campaign run library/fema-p58.toml` or of another library. Printed are:
 rows drawn at random beside new simulations under the same motions with other draws of their things;
 whether medians from one half of the earthquakes agree with those from the other half as their
-intervals say; medians of one shape in several sizes; how far what ends leaning had turned; and what
-edition 1.0 and the whole library cost, from the seconds of a case of each kind.
+intervals say; medians of one shape in several sizes; how far what straps alone hold up had
+turned; and what edition 1.0 and the whole library cost, from the seconds of a case of each kind.
 """
 
 from __future__ import annotations
@@ -155,16 +155,15 @@ def monotone(work: Libraries, runs: list[CaseRuns]) -> None:
             print(f"| {', '.join(key)} | {told} | {'yes' if rises else 'no'} |")
 
 
-def leaning(work: Libraries, runs: list[CaseRuns]) -> None:
-    """How far what ends leaning on its wall or in its strap had turned, and its foot had come."""
+def held_up(work: Libraries, runs: list[CaseRuns]) -> None:
+    """How far what its wall and strap alone hold up had turned, and its foot had come."""
     straps = [found for case, found in zip(work.cases, runs, strict=True) if case.held.strength]
     if not straps:
         return
-    # those that were given up while they still swung have no angle at which they lean
-    turned = np.degrees(np.concatenate([run.rotation[run.leans & ~run.moving] for run in straps]))
-    came = 100.0 * np.concatenate([run.farthest[run.leans & ~run.moving] for run in straps])
+    turned = np.degrees(np.concatenate([run.rotation[run.held_up] for run in straps]))
+    came = 100.0 * np.concatenate([run.farthest[run.held_up] for run in straps])
     every = sum(run.fell.size for run in straps)
-    print(f"\n{turned.size:,} of {every:,} simulations in a strap come to rest leaning: half of "
+    print(f"\n{turned.size:,} of {every:,} simulations in a strap end held up by it alone: half of "
           f"them never turned by more than {np.median(turned):.1f}°, 95 % by "
           f"{np.quantile(turned, 0.95):.1f}°; their foot came {np.median(came):.0f} cm far in the "
           "median")  # fmt: skip
@@ -226,7 +225,7 @@ def main() -> None:
     direct(work, runs, given.rows, given.seed)
     held_out(work, runs, given.seed)
     monotone(work, runs)
-    leaning(work, runs)
+    held_up(work, runs)
     cost()
 
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 import pandas as pd
 
-from shaketable.fragility.limit_states import LEANS, OVERTURNS
+from shaketable.fragility.limit_states import HELD_UP, LEANS, OVERTURNS
 from shaketable.library.published import found_rows, read_library_table
 
 TABLE = Path(__file__).parents[1] / "library" / "edition-1.0.csv"
@@ -89,17 +89,18 @@ def main() -> None:
         cells = [shown(each[thing]) if thing in each else "" for each in columns.values()]
         print(f"| {thing} | {size} | {' | '.join(cells)} |")
 
-    has_leans = (table["limit_state"] == LEANS).any()
-    leans = {
-        each.title: medians(table, each, LEANS if each.held != "free" and has_leans else OVERTURNS)
+    states = set(table["limit_state"])
+    either = next((state for state in (HELD_UP, LEANS) if state in states), OVERTURNS)
+    held = {
+        each.title: medians(table, each, OVERTURNS if each.held == "free" else either)
         for each in COLUMNS
     }
-    print("\n| compared | θ of falls is multiplied by | θ of falls and leaning by | things |\n"
+    print("\n| compared | θ of falls is multiplied by | θ of falls or held up by | things |\n"
           "|---|---|---|---:|")  # fmt: skip
     for what, one, other in BESIDE:
         if one in columns and other in columns:
             four = pd.DataFrame(
-                [columns[one], columns[other], leans[one], leans[other]]
+                [columns[one], columns[other], held[one], held[other]]
             ).T.dropna()  # fmt: skip
             four = four[(four < STRONG).all(axis=1)]
             falls_by, either_by = (

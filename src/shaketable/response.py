@@ -48,8 +48,6 @@ class Response(ABC):
         model: the contact model, with its parameters.
         body, motion, support: what was simulated.
         surroundings: what stood beside it and held it, if anything did.
-        leaning: whether it came to rest upright but turned by more than 0.001 rad, on a wall, in a
-            strap or at an edge.
         strap_force: the largest force of each strap [N].
         strap_broke_at: when each broke [s], NaN for one that did not.
         off_edge: whether it fell off its support, over the edge; then `overturning_time` is that of
@@ -76,7 +74,6 @@ class Response(ABC):
     motion: Motion
     support: Support
     surroundings: Surroundings | None
-    leaning: bool = False
     strap_force: tuple[float, ...] = ()
     strap_broke_at: tuple[float, ...] = ()
     off_edge: bool = False
@@ -120,6 +117,8 @@ class PlanarResponse(Response):
         position, velocity: from the foot of the centre of gravity at rest [m, m/s], shape (n, 2).
         slip: how far the lowest corner has moved along the support [m], + toward +x, shape (n,);
             zero in the rocking model.
+        leaning: whether it ended upright but turned by more than 0.001 rad, on a wall, in a strap
+            or at an edge; whether it would fall without these is not simulated in the plane.
         slip_downhill, slip_uphill: farthest slip while a corner is on the support [m].
         phase_times: when each phase begins [s], shape (k,); to within a sample in the rocking
             model.
@@ -139,6 +138,7 @@ class PlanarResponse(Response):
     phase_times: NDArray[np.float64]
     phases: tuple[Phase, ...]
     fallbacks: int = 0
+    leaning: bool = False
 
     @property
     def strap_forces(self) -> NDArray[np.float64]:

@@ -24,7 +24,6 @@ from shaketable import (
 from shaketable.assess import NOT_CLASSED, Assessment, ItemResult, assess, class_of
 from shaketable.assess.straps import STRAP_SHARE, asks_for_trial, in_strap
 from shaketable.campaign.as_json import from_json, to_json
-from shaketable.engine.endings import not_settled
 from shaketable.inventory import BaseShape, Item, solid_of
 from shaketable.outcome import Outcome
 from shaketable.records import suite
@@ -82,7 +81,7 @@ def test_it_is_what_the_same_solid_does(
     item, solid = by_name[name].item, by_name[name].solid
     assert solid is not None
     assert item.surroundings is not None
-    fell, leans, force, broke, off = [], [], [], [], []
+    fell, held_up, force, broke, off = [], [], [], [], []
     box = solid_of(item, 0.0)
     assert box is not None
     for motion in pairs:
@@ -95,8 +94,7 @@ def test_it_is_what_the_same_solid_does(
             surroundings=item.surroundings.turned(float(turn)),
         )  # fmt: skip
         fell += (runs.outcome.values.ravel() != Outcome.STANDING).tolist()
-        still = not_settled(runs.ending.values.ravel()) & bool(item.surroundings.straps)
-        leans += (runs.leaning.values.ravel() | still).tolist()
+        held_up += runs.held_up.values.ravel().tolist()
         if item.surroundings.edge:
             off += runs.off_edge.values.ravel().tolist()
         if item.surroundings.straps:
@@ -105,8 +103,8 @@ def test_it_is_what_the_same_solid_does(
     held = solid.surrounded
     assert held is not None
     assert (solid.simulations, solid.falls) == (len(fell), sum(fell))
-    assert held.leans.value == np.mean(leans)
-    assert held.falls_or_leans.value == np.mean(np.array(fell) | np.array(leans))
+    assert held.held_up.value == np.mean(held_up)
+    assert held.falls_or_held_up.value == np.mean(np.array(fell) | np.array(held_up))
     assert (held.off and held.off.value) == (np.mean(off) if off else None)
     if not force:
         assert held.force is None
@@ -139,7 +137,7 @@ def test_what_surrounds_it_decides(by_name: dict[str, ItemResult]) -> None:
         solid = found.as_it_stands
         assert solid is not None
         assert found.overturns == solid.fall
-        assert found.governing_share == solid.level.governing_share == solid.falls_or_leans
+        assert found.governing_share == solid.level.governing_share == solid.falls_or_held_up
         worst = max(solid.shares)
         assert found.risk == class_of(worst, solid.recordings)
         assert not found.left_alone
@@ -148,21 +146,23 @@ def test_what_surrounds_it_decides(by_name: dict[str, ItemResult]) -> None:
     assert alone.solid.surrounded is None
 
 
-def test_leaning_is_no_good_class(by_name: dict[str, ItemResult]) -> None:
+def test_held_up_alone_is_no_good_class(by_name: dict[str, ItemResult]) -> None:
     found = by_name["strapped"]
     solid = found.solid
     assert solid is not None
     assert solid.surrounded is not None
     often = solid.fall._replace(value=0.4, low=0.2, high=0.6)
-    leaning = solid._replace(
-        surrounded=solid.surrounded._replace(leans=often, falls_or_leans=often), frictions=()
+    hanging = solid._replace(
+        surrounded=solid.surrounded._replace(held_up=often, falls_or_held_up=often), frictions=()
     )
-    assert leaning.fall.value == 0.0
-    assert replace(found, solid=leaning).risk == "high"
+    assert hanging.fall.value == 0.0
+    assert replace(found, solid=hanging).risk == "high"
 
 
-def test_what_still_swings_in_its_strap_is_of_concern(pairs: list[Motion]) -> None:
-    """A gas cylinder whose rim loses nothing rolls on in its strap: it is no good end."""
+def test_what_still_swings_in_its_strap_is_judged_by_whether_it_would_fall(
+    pairs: list[Motion],
+) -> None:
+    """A gas cylinder whose rim loses nothing rolls on in its strap; that by itself is no fall."""
     body = Body.rectangle(0.23, 1.64, name="gas cylinder")
     strap = Strap(point=(0.115, 0, 1.64), anchor=(0.165, 0, 1.64), stiffness=5e4, slack=0.005)
     drum = Item(
@@ -174,9 +174,10 @@ def test_what_still_swings_in_its_strap_is_of_concern(pairs: list[Motion]) -> No
     assert solid is not None
     assert solid.surrounded is not None
     assert solid.not_settled > 0.5 * solid.simulations
-    assert solid.surrounded.leans.value >= solid.not_settled / solid.simulations
-    assert found.governing_share.value > 0.5
-    assert found.risk not in ("low", "few or no falls seen")
+    assert 0.0 < solid.surrounded.held_up.value < solid.not_settled / solid.simulations
+    assert found.governing_share == solid.falls_or_held_up
+    assert not found.moves_on
+    assert found.risk == class_of(max(solid.shares), solid.recordings)
 
 
 def test_a_support_of_known_length_still_counts(pairs: list[Motion]) -> None:
@@ -210,7 +211,7 @@ def test_a_lip_is_left_out_and_gives_no_good_class(by_name: dict[str, ItemResult
     assert found.solid is not None
     assert found.solid.fall == by_name["on the edge"].solid.fall  # type: ignore[union-attr]
     none = found.solid.fall._replace(value=0.0, low=0.0, high=0.1)
-    held = found.solid.surrounded._replace(falls_or_leans=none)  # type: ignore[union-attr]
+    held = found.solid.surrounded._replace(falls_or_held_up=none)  # type: ignore[union-attr]
     level = found.solid.level._replace(fall=none, governing_share=none)
     quiet = found.solid._replace(surrounded=held, level=level, frictions=(), not_settled=0)
     assert replace(found, solid=quiet).risk == NOT_CLASSED
@@ -236,7 +237,9 @@ def test_straps_that_are_tried(by_name: dict[str, ItemResult], pairs: list[Motio
     for each in trials.values():
         assert each.force is not None
         assert 0.0 < each.force.median < each.force.high < each.force.largest
-        assert each.left.value == 0.0
+        assert each.fall.value == 0.0
+        assert each.left == each.held_up
+        assert each.left.value <= 0.05  # of one stiffness and slack, in one of 20 simulations
     force = {key: each.force.high for key, each in trials.items() if each.force}
     # it grows with the root of the stiffness, or nearly so
     assert force[2000.0, 0.005, 0.0] > 1.3 * force[500.0, 0.005, 0.0]
@@ -323,8 +326,8 @@ def test_the_table_tells_what_holds_and_what_was_tried(result: Assessment) -> No
     assert surrounded.force is not None
     assert surrounded.broke is not None
     row = table.loc["weakly"]
-    assert row["leaning_share"] == surrounded.leans.value
-    assert row["fall_or_lean_share"] == surrounded.falls_or_leans.value
+    assert row["held_up_share"] == surrounded.held_up.value
+    assert row["fall_or_held_up_share"] == surrounded.falls_or_held_up.value
     assert row["strap_force_90_percent_over_weight"] == surrounded.force.high
     assert row["strap_broke_share"] == surrounded.broke.value
     (worst,) = held.tried
@@ -337,5 +340,5 @@ def test_the_table_tells_what_holds_and_what_was_tried(result: Assessment) -> No
     )
     assert trial.force is not None
     assert row["try_strap_2000_20mm_force_90_percent_over_weight"] == trial.force.high
-    assert math.isnan(table.loc["alone", "leaning_share"])
+    assert math.isnan(table.loc["alone", "held_up_share"])
     assert math.isnan(table.loc["at a wall", "strap_broke_share"])

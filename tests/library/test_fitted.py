@@ -57,7 +57,7 @@ def simulated(ground: list[Motion], seed: int = 1) -> CaseRuns:
     fell = np.log(level / MEDIAN) > spread - CG * cg
     none = np.zeros(draw.size, np.float32)
     return CaseRuns(
-        draw=draw, scale=scale, fell=fell, leans=fell & False, off=fell & False,
+        draw=draw, scale=scale, fell=fell, held_up=fell & False, off=fell & False,
         rotation=np.where(fell, 1.0, 0.0).astype(np.float32), farthest=none, reach=none,
         force=none, broke=fell & False, moving=np.arange(draw.size) % 20 == 0,
     )  # fmt: skip
@@ -87,35 +87,35 @@ def test_the_parts_of_beta_come_out_again(ground: list[Motion]) -> None:
     assert MOVING < 0.05
 
 
-def test_what_leans_has_not_overturned_and_is_told(ground: list[Motion]) -> None:
-    """A tenth of what stands leans: the function of overturning is the same, and says so."""
+def test_what_is_held_up_has_not_overturned_and_is_told(ground: list[Motion]) -> None:
+    """A tenth of what stands is held up: the function of overturning is the same, and says so."""
     runs = simulated(ground)
-    leaning = replace(runs, leans=~runs.fell & (np.arange(runs.draw.size) % 10 == 0))
+    hanging = replace(runs, held_up=~runs.fell & (np.arange(runs.draw.size) % 10 == 0))
     shaking = Shaking(ground, draws=0)
-    given = {"states": [limit_state("overturns"), limit_state("overturns or leans")],
+    given = {"states": [limit_state("overturns"), limit_state("overturns or held up")],
              "measures": ["PGV"]}  # fmt: skip
     case = replace(CASE, held=Held(draws=8, wall_gap=0.01))
     before, _ = functions_of_case(case, runs, shaking, **given)
-    falls, either = functions_of_case(case, leaning, shaking, **given)
+    falls, either = functions_of_case(case, hanging, shaking, **given)
     assert falls.curve.median == before.curve.median
     assert either.curve.median < falls.curve.median
-    assert "see 'overturns or leans'" in falls.caution
-    assert "leaning" not in before.caution + either.caution
-    rare = replace(runs, leans=leaning.leans & (runs.scale == SCALES[0]))
+    assert "see 'overturns or held up'" in falls.caution
+    assert "held up" not in before.caution + either.caution
+    rare = replace(runs, held_up=hanging.held_up & (runs.scale == SCALES[0]))
     falls, _ = functions_of_case(case, rare, shaking, **given)
-    assert falls.leaning == pytest.approx(0.2)  # every fifth one at that factor
+    assert falls.held_up == pytest.approx(0.2)  # every fifth one at that factor
 
 
 def test_a_function_below_one_that_it_includes_says_so(ground: list[Motion]) -> None:
-    """All falls at strong shaking, three tenths lean at any weak one: no lognormal does both."""
+    """All falls at strong shaking, three tenths are held up at weak ones: not lognormal."""
     runs = simulated(ground)
     runs = replace(runs, fell=runs.fell & (runs.scale > 1.0))
     weak = (runs.scale < 1.0) & (np.arange(runs.draw.size) % 10 < 3)
-    given = {"states": [limit_state("overturns"), limit_state("overturns or leans")],
+    given = {"states": [limit_state("overturns"), limit_state("overturns or held up")],
              "measures": ["PGV"]}  # fmt: skip
     case = replace(CASE, held=Held(draws=8, wall_gap=0.01))
     falls, either = functions_of_case(
-        case, replace(runs, leans=~runs.fell & weak), Shaking(ground, draws=0), **given
+        case, replace(runs, held_up=~runs.fell & weak), Shaking(ground, draws=0), **given
     )
     level = np.geomspace(0.1, 5.0, 500)
     more = (falls.curve.probability(level) - either.curve.probability(level)).max()
@@ -209,14 +209,14 @@ def test_states_are_reached_by_what_they_say() -> None:
     fell, no = np.array([False, False, True]), np.zeros(3, np.bool_)
     runs = CaseRuns(
         draw=np.zeros(3, np.int32), scale=np.ones(3), fell=fell,
-        leans=np.array([True, False, False]), off=fell, moving=no, broke=no,
+        held_up=np.array([True, False, False]), off=fell, moving=no, broke=no,
         rotation=column(0.0, 0.01, 0.0), farthest=column(0.099, 0.1, 0.0),
         reach=column(0.79, 0.8, 2.0), force=column(0, 0, 0),
     )  # fmt: skip
     for text, expected in {
         "uplift": [False, True, True], "slides 0.1 m": [False, True, True],
         "walks off": [False, False, True], "overturns": [False, False, True],
-        "overturns or leans": [True, False, True],
+        "overturns or held up": [True, False, True],
         "reaches 0.8 m": [False, True, True],
     }.items():  # fmt: skip
         state = limit_state(text)
@@ -225,9 +225,9 @@ def test_states_are_reached_by_what_they_say() -> None:
     table = Case(thing=CASE.thing, stand=Stand(), held=Held(name="table", edge=0.1))
     assert has_state(table, limit_state("walks off"))
     assert not has_state(table, limit_state("reaches 0.8 m"))
-    assert not has_state(table, limit_state("overturns or leans"))
+    assert not has_state(table, limit_state("overturns or held up"))
     wall = Case(thing=CASE.thing, stand=Stand(), held=Held(name="wall", wall_gap=0.01))
-    assert has_state(wall, limit_state("overturns or leans"))
+    assert has_state(wall, limit_state("overturns or held up"))
 
 
 def test_every_column_is_explained(ground: list[Motion]) -> None:

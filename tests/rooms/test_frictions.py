@@ -138,21 +138,21 @@ def test_changes_are_tried_with_the_friction_of_most_harm(pairs: list[Motion]) -
     assert tried_with(alone) == "Changes were tried with friction 0.1."
 
 
-def test_what_leans_more_is_told_beside_what_falls_more() -> None:
-    """A friction with which a thing leans more, and one with which it falls more, lead apart."""
+def test_what_is_held_up_more_is_told_beside_what_falls_more() -> None:
+    """The friction with which it is held up more, and that with which it falls more."""
 
-    def found(friction: float, falls: Share, leans: Share) -> ThingResult:
-        return ThingResult("shelf", falls, NONE_FALL, leans, 0.1, friction, friction)
+    def found(friction: float, falls: Share, held_up: Share) -> ThingResult:
+        return ThingResult("shelf", falls, NONE_FALL, held_up, 0.1, friction, friction)
 
     few, many = Share(0.0, 0.0, 0.1), Share(0.5, 0.3, 0.7)
-    own, falling, leaning = (
+    own, falling, hanging = (
         found(math.inf, few, Share(0.3, 0.2, 0.4)), found(0.5, many, few), found(0.3, few, many)
     )  # fmt: skip
-    told = _worse_thing(own, _worse_thing(own, own, falling), leaning)
+    told = _worse_thing(own, _worse_thing(own, own, falling), hanging)
     assert (told.falls, told.friction) == (many, 0.5)
-    assert (told.leans, told.friction_leaning) == (many, 0.3)
+    assert (told.held_up, told.friction_held_up) == (many, 0.3)
     alone = _worse_thing(own, own, falling)
-    assert (alone.leans, alone.friction_leaning) == (own.leans, math.inf)
+    assert (alone.held_up, alone.friction_held_up) == (own.held_up, math.inf)
 
 
 def test_where_everything_rolls_no_friction_is_tried(pairs: list[Motion]) -> None:

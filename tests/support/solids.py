@@ -26,6 +26,7 @@ class Run(NamedTuple):
     spin: Floats  # (n, 3), body frame
     rank: NDArray[np.int8]
     found: object
+    held_up: bool
 
 
 def moved(run: SolidResponse) -> Floats:
@@ -84,6 +85,7 @@ def released(
         state[:, 10:],
         trace.rank[:n],
         found,
+        bool(surroundings and numbers[0, SUMMARY] > 0.5),
     )
 
 

@@ -177,7 +177,7 @@ def test_a_wall_and_a_strap(page: Any, address: str, shape: str) -> None:
     page.wait_for_selector("#share:has-text('its strap bore up to')", timeout=60_000)
     share = page.inner_text("#share")
     assert f"In 90 of 100 its strap bore up to {answer.value.json()['strap_90']:.2g} times" in share
-    assert f"In {answer.value.json()['leaning']} it ended leaning" in share
+    assert f"In {answer.value.json()['leaning']} it ended turned" in share
     page.wait_for_selector("#curve svg", timeout=90_000)
     link = page.url
     page.goto("about:blank")

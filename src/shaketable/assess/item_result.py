@@ -152,24 +152,12 @@ class ItemResult(ProfileResult):
         return sorted(worst.values(), key=self._order)
 
     def _order(self, each: Mitigation) -> tuple[Share, Share]:
-        return self.after(each), each.leans
-
-    @property
-    def leans(self) -> bool:
-        """Whether it ends leaning as it stands: then that counts before and after a measure."""
-        held = self.solid and self.solid.surrounded
-        return bool(held and held.leans.value)
+        return each.left, each.held_up
 
     @property
     def before(self) -> Share:
-        """What measures are compared with: its falls; on castors, how often it goes far too."""
-        if self.solid and (self.item.rolls or self.leans):
-            return self.solid.level.governing_share
-        return self.overturns
-
-    def after(self, each: Mitigation) -> Share:
-        """What a measure leaves of that."""
-        return each.left_or_leans if self.leans else each.left
+        """What measures are compared with: as `Mitigation.left`, without any."""
+        return self.solid.level.governing_share if self.solid else self.overturns
 
     @property
     def helpful(self) -> list[Mitigation]:
@@ -182,7 +170,7 @@ class ItemResult(ProfileResult):
         now = self.before.value
 
         def helps(each: Mitigation) -> bool:
-            left = self.after(each)
+            left = each.left
             clearly = self.halved_by(each) or (left.high < now and left.value < MOSTLY * now)
             trips = each.fall > self.overturns and apart(each.fall, self.overturns)
             return clearly and not trips
@@ -191,7 +179,7 @@ class ItemResult(ProfileResult):
 
     def halved_by(self, measure: Mitigation) -> bool:
         """Whether a measure leaves less than half of what there is."""
-        return self.after(measure).value < CLEARLY * self.before.value
+        return measure.left.value < CLEARLY * self.before.value
 
     @property
     def goes_far(self) -> float:
@@ -200,7 +188,7 @@ class ItemResult(ProfileResult):
         Of three dimensions where these decide.
         """
         if self.solid is not None:
-            return self.solid.level.governing_share.value - self.solid.falls_or_leans.value
+            return self.solid.level.governing_share.value - self.solid.falls_or_held_up.value
         return self.sliding.far.value if self.sliding else 0.0
 
     @property
@@ -212,7 +200,13 @@ class ItemResult(ProfileResult):
 
     @property
     def moves_on(self) -> bool:
-        """Whether so many simulations ended while it moved that it gets no good class."""
+        """Whether so many simulations ended while it moved that it gets no good class.
+
+        What swings at a wall or in straps is judged by whether these alone hold it up.
+        """
+        around = self.item.surroundings
+        if self.as_it_stands and around and (around.walls or around.straps):
+            return False
         found = self.solid or self
         return found.not_settled / found.simulations >= RISK_CLASSES[LOW]
 
@@ -271,7 +265,7 @@ class ItemResult(ProfileResult):
 
     @property
     def shares(self) -> list[Share]:
-        """Of falls and leaning: its own, and with other frictions where these differ from it."""
+        """Of what falls or is held up alone: its own, and with other frictions that differ."""
         if self.solid:
             return self.solid.shares
         return [self.fall, *(each.fall for each in self.frictions if self.differs(each))]
@@ -306,13 +300,13 @@ class ItemResult(ProfileResult):
         """One of CLASSES, those of Kaneko and Hayashi (2004), or NOT_CLASSED.
 
         As `class_of` says, the worst of all frictions that make a difference: in three dimensions,
-        with what surrounds it, where leaning counts as falling; in a plane if only that is known.
-        What walks off its support counts as fallen. What stands on castors is classed only if it
-        falls. Nothing is classed while a column of the inventory that may speak of castors, anchors
-        or shapes is not understood; what a plane says too little of, and what may be round, is
-        classed only where no class is worse. No good class is given where that may be too good: on
-        castors, of unknown depth, where simulations ended in motion, and where some of what
-        surrounds it was not simulated.
+        with what surrounds it, where what that alone holds up counts as fallen; in a plane if only
+        that is known. What walks off its support counts as fallen. What stands on castors is
+        classed only if it falls. Nothing is classed while a column of the inventory that may speak
+        of castors, anchors or shapes is not understood; what a plane says too little of, and what
+        may be round, is classed only where no class is worse. No good class is given where that may
+        be too good: on castors, of unknown depth, where simulations ended in motion, and where some
+        of what surrounds it was not simulated.
         """
         item = self.item
         if self.by < FEWEST_RECORDINGS or item.castors is Castors.UNKNOWN or item.unread:

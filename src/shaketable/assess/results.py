@@ -46,7 +46,7 @@ class FrictionResult(NamedTuple):
     friction: float  # static and kinetic
     fall: Share
     slip: float  # m, median of the farthest where it stays upright
-    falls_or_leans: Share | None = None  # of a solid in surroundings: as in SurroundedResult
+    falls_or_held_up: Share | None = None  # of a solid in surroundings: as in SurroundedResult
 
 
 class LevelResult(NamedTuple):
@@ -77,16 +77,16 @@ class SurroundedResult(NamedTuple):
     """What the surroundings of an item do in three dimensions; none of it is counted as a fall.
 
     Attributes:
-        leans: share of the simulations at whose end it stands, but leaning on a wall or in straps,
-            or still swings in straps: it is no place to stand under.
-        falls_or_leans: share of those in which it falls or ends leaning.
+        held_up: share of the simulations in which it does not fall, and would, were it not for its
+            wall or straps at the end: it is no place to stand under.
+        falls_or_held_up: share of those in which it falls or is held up by them alone.
         force: of its straps; None where it has none.
         broke: share of the simulations in which a strap broke; None likewise.
         off: share of those in which it went over the edge of its support; None without an edge.
     """
 
-    leans: Share
-    falls_or_leans: Share
+    held_up: Share
+    falls_or_held_up: Share
     force: StrapForce | None = None
     broke: Share | None = None
     off: Share | None = None
@@ -115,9 +115,8 @@ class Mitigation(NamedTuple):
         about: its numbers, by their names with units; see `assess.mitigation`.
         simulations: how many.
         fall: share of them that overturn it.
-        leans: as in SurroundedResult.
-        left: share in which it falls; on castors, in which it falls or goes far.
-        left_or_leans: the same, with those at whose end it leans.
+        held_up: as in SurroundedResult.
+        left: share in which it falls or is held up alone; on castors, or goes far.
         force: of its strap; None where none was added.
     """
 
@@ -125,9 +124,8 @@ class Mitigation(NamedTuple):
     about: Mapping[str, float]
     simulations: int
     fall: Share
-    leans: Share
+    held_up: Share
     left: Share
-    left_or_leans: Share
     force: StrapForce | None = None
 
 
@@ -166,18 +164,18 @@ class SolidResult(NamedTuple):
         return self.level.fall
 
     @property
-    def falls_or_leans(self) -> Share:
-        """The same, with those at whose end it leans on what surrounds it."""
-        return self.surrounded.falls_or_leans if self.surrounded else self.fall
+    def falls_or_held_up(self) -> Share:
+        """The same, with those in which what surrounds it alone holds it up."""
+        return self.surrounded.falls_or_held_up if self.surrounded else self.fall
 
     @property
     def shares(self) -> list[Share]:
-        """Of falls, and leaning; with other frictions, where these make a difference.
+        """Of what falls or is held up alone; with other frictions, where these make a difference.
 
         Beside an edge all of them, as what cannot slide seldom comes there.
         """
-        own = self.falls_or_leans
-        others = [each.falls_or_leans or each.fall for each in self.frictions]
+        own = self.falls_or_held_up
+        others = [each.falls_or_held_up or each.fall for each in self.frictions]
         edge = self.surrounded is not None and self.surrounded.off is not None
         return [own, *(each for each in others if edge or apart(each, own))]
 

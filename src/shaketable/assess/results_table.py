@@ -125,10 +125,10 @@ def _surrounded(result: ItemResult) -> dict[str, float]:
     if not held:
         return {}
     row = {
-        "leaning_share": held.leans.value,
-        "fall_or_lean_share": held.falls_or_leans.value,
-        "fall_or_lean_share_low": held.falls_or_leans.low,
-        "fall_or_lean_share_high": held.falls_or_leans.high,
+        "held_up_share": held.held_up.value,
+        "fall_or_held_up_share": held.falls_or_held_up.value,
+        "fall_or_held_up_share_low": held.falls_or_held_up.low,
+        "fall_or_held_up_share_high": held.falls_or_held_up.high,
     }
     if held.force is not None and held.broke is not None:
         row |= {f"strap_{name}_over_weight": each for name, each in _named(held.force).items()}
@@ -150,7 +150,7 @@ def _measures(result: ItemResult) -> dict[str, Any]:
             f"{begin}_share": each.left.value,
             f"{begin}_share_low": each.left.low,
             f"{begin}_share_high": each.left.high,
-            f"{begin}_leaning_share": each.leans.value,
+            f"{begin}_held_up_share": each.held_up.value,
         }
         if each.force is None:
             row |= {f"{begin}_{name}": value for name, value in each.about.items()}

@@ -134,7 +134,7 @@ class SolidRuns(NamedTuple):
         farthest: its distance from where it stood, at any time [m].
         turned: by how much it is turned at the end, from its x toward its y [rad].
         not_settled: whether it still moved when the run ended, and had not fallen.
-        leans: whether it stands then, leaning on what surrounds it, or still moves in straps.
+        held_up: whether it did not, and would without its walls and straps.
         force: the largest of its straps over its weight, 0 without straps.
         broke: whether one of them broke.
         off: whether it went over the edge of its support.
@@ -147,7 +147,7 @@ class SolidRuns(NamedTuple):
     farthest: NDArray[np.float64]
     turned: NDArray[np.float64]
     not_settled: NDArray[np.bool_]
-    leans: NDArray[np.bool_]
+    held_up: NDArray[np.bool_]
     force: NDArray[np.float64]
     broke: NDArray[np.bool_]
     off: NDArray[np.bool_]
@@ -163,13 +163,12 @@ class SolidRuns(NamedTuple):
         return np.abs(self.turned)
 
     def level(self, rolls: bool, recordings: int) -> LevelResult:
-        """How often it falls; and how often it falls, leans or, on castors, goes far."""
-        fall = share_of(self.fell, recordings)
-        return LevelResult(fall, share_of(self.lost(rolls) | self.leans, recordings))
+        """How often it falls; and how often it is lost."""
+        return LevelResult(*(share_of(each, recordings) for each in (self.fell, self.lost(rolls))))
 
     def lost(self, rolls: bool) -> NDArray[np.bool_]:
-        """Whether it falls or, on castors, goes far."""
-        return self.fell | (rolls & (self.farthest > ROLLS_FAR))
+        """Whether it falls, is held up alone or, on castors, goes far."""
+        return self.fell | self.held_up | (rolls & (self.farthest > ROLLS_FAR))
 
     @property
     def strap_force(self) -> StrapForce:
@@ -180,8 +179,8 @@ class SolidRuns(NamedTuple):
         """What its surroundings do."""
         straps, edge = bool(around.straps), around.edge is not None
         return SurroundedResult(
-            leans=share_of(self.leans, recordings),
-            falls_or_leans=share_of(self.fell | self.leans, recordings),
+            held_up=share_of(self.held_up, recordings),
+            falls_or_held_up=share_of(self.fell | self.held_up, recordings),
             force=self.strap_force if straps else None,
             broke=share_of(self.broke, recordings) if straps else None,
             off=share_of(self.off, recordings) if edge else None,
@@ -278,10 +277,8 @@ def _runs_of(stood: Stood, ways: Ways, runs: Mapping[str, NDArray[Any]]) -> Soli
     force = np.nan_to_num(columns.get("strap_force", none)).max(axis=2, initial=0.0)
     broke = np.isfinite(columns.get("strap_broke_at", none + np.nan)).any(axis=2)
     weight = (stood.solid.mass or np.nan) * STANDARD_GRAVITY
-    moving = not_settled(columns["ending"])
     x, y = columns["displacement_x"], columns["displacement_y"]
     cosine, sine = np.cos(turns), np.sin(turns)
-    strapped = bool(stood.around and stood.around.straps)
     return SolidRuns(
         fell=columns["outcome"] != Outcome.STANDING,
         toward=np.remainder(columns["fall_azimuth"] - turns, 2 * math.pi),
@@ -289,8 +286,8 @@ def _runs_of(stood: Stood, ways: Ways, runs: Mapping[str, NDArray[Any]]) -> Soli
         across=y * cosine - x * sine,
         farthest=columns["farthest_displacement"],
         turned=columns["yaw"],
-        not_settled=moving,
-        leans=columns.get("leaning", np.zeros(turns.shape, np.bool_)) | (moving & strapped),
+        not_settled=not_settled(columns["ending"]),
+        held_up=columns.get("held_up", np.zeros(turns.shape, np.bool_)),
         force=force / weight,
         broke=broke,
         off=columns.get("off_edge", np.zeros(turns.shape, np.bool_)),

@@ -105,7 +105,7 @@ class ShakingInSpace(NamedTuple):
         """
 
         def share(runs: SolidRuns) -> Share:
-            return share_of(runs.fell | runs.leans, self.recordings)
+            return share_of(runs.fell | runs.held_up, self.recordings)
 
         found: list[list[FrictionResult]] = [[] for _ in stood]
         for friction in FRICTIONS:
@@ -125,8 +125,8 @@ class ShakingInSpace(NamedTuple):
             for k, each in runs.items():
                 moved = observed_quartiles(each.moved[~each.fell]).median
                 fall = share_of(each.fell, self.recordings)
-                falls_or_leans = share(each) if stood[k].around else None
-                found[k].append(FrictionResult(friction, fall, moved, falls_or_leans))
+                falls_or_held_up = share(each) if stood[k].around else None
+                found[k].append(FrictionResult(friction, fall, moved, falls_or_held_up))
         return found
 
 

@@ -71,8 +71,8 @@ def layouts(plan: Plan) -> dict[str, Layout]:
         "moments": of_parts(np.int64, {"level": len(LEVELS), "moment": len(MOMENTS)}, {}),
         "peaks": of_parts(np.uint32, {}, {"bin": sketch.BINS}),
     }
-    if ensemble.leans:
-        found["leaning"] = of_parts(np.int64, {}, {})
+    if ensemble.held_field:
+        found[ensemble.held_field] = of_parts(np.int64, {}, {})
     if plan.recordings:
         most = max(recordings_in(plan))
         found["by_recording"] = of_parts(np.int32, {"direction": 2, "recording": most}, {})
@@ -194,8 +194,8 @@ def values_of_summary(summary: Summary, plan: Plan) -> dict[str, NDArray[Any]]:
         "moments": summary.moments[None],
         "peaks": summary.peaks[None],
     }
-    if plan.ensemble.leans:
-        found["leaning"] = summary.leaning[None]
+    if plan.ensemble.held_field:
+        found[plan.ensemble.held_field] = summary.held[None]
     if plan.recordings:
         counts = summary.by_recording
         most = max(recordings_in(plan))

@@ -32,7 +32,8 @@ def falls_table(results: xr.Dataset, plan: Plan) -> pd.DataFrame:
     Shares count simulations; their intervals are Wilson's over the recordings, as motions of one
     recording are no experiments of their own. `fall_error_events` is the standard error of the
     share where events are the experiments: recordings of one earthquake may be alike. In
-    surroundings `leaning` counts those that stood, but leaning.
+    surroundings `held_up` counts Solids that did not fall, and would without their walls and
+    straps; `leaning` counts planar bodies that ended turned.
 
     Args:
         results: what `open_campaign` returns.
@@ -67,8 +68,8 @@ def falls_table(results: xr.Dataset, plan: Plan) -> pd.DataFrame:
         "fall_error_events": error.ravel(),
         "downhill_share": toward.ravel(),
     }
-    if ensemble.leans:
-        table["leaning"] = _leaning(results, plan).ravel()
+    if ensemble.held_field:
+        table[ensemble.held_field] = _held(results, plan).ravel()
     for share in QUANTILES:
         at = sketch.quantile(peaks, share)
         table[f"peak_rotation_{100 * share:.0f}_deg"] = np.degrees(at).ravel()
@@ -137,11 +138,13 @@ def _of_all(results: xr.Dataset, plan: Plan) -> Counts:
     return down, up, error, peaks
 
 
-def _leaning(results: xr.Dataset, plan: Plan) -> NDArray[np.int64]:
-    """How many stood, but leaning, (body, tilt, scale); some bodies at a time."""
+def _held(results: xr.Dataset, plan: Plan) -> NDArray[np.int64]:
+    """Counts of the field that tells what is held, (body, tilt, scale); some bodies at a time."""
     found = []
     for first in range(0, len(plan.ensemble.bodies), plan.bodies_per_block):
-        here = results["leaning"].isel(body=slice(first, first + plan.bodies_per_block))
+        here = results[plan.ensemble.held_field].isel(
+            body=slice(first, first + plan.bodies_per_block)
+        )
         others = [name for name in here.dims if name not in CELLS]
         found.append(here.sum(others).transpose(*CELLS).values)
     return np.concatenate(found).astype(np.int64)

@@ -18,6 +18,7 @@ from shaketable.campaign.simulations import Simulations
 from shaketable.campaign.summary import LEVELS, MOMENTS
 from shaketable.errors import InputError, SimulationError
 from shaketable.lazy_motions import heads_of
+from shaketable.simulate.result_fields import FIELDS
 from shaketable.surroundings import told_surroundings
 
 if TYPE_CHECKING:
@@ -42,8 +43,8 @@ def open_campaign(store: str | Path, *, partial: bool = False, check: bool = Tru
         summary over (body, tilt, scale): falls `downhill` and `uphill` of `simulations`; the sums
         of their squares and products over recordings and events, `moments` (level, moment, ...);
         `peaks`, counts by bin of the peak rotation, whose values [rad] are the coordinate `bin`,
-        a fall in the last one; in surroundings how many stood, but `leaning`; and `by_recording`
-        (direction, recording, ...) if it was kept.
+        a fall in the last one; in surroundings how many are `held_up`, or `leaning` in the
+        plane; and `by_recording` (direction, recording, ...) if it was kept.
 
     Raises:
         InputError: no campaign is there, or it is not done.
@@ -119,9 +120,9 @@ def _of_summary(plan: Plan, objects: Objects) -> xr.Dataset:
         "moments": (("level", "moment", *names), sums["moments"], {"long_name": MEANING}),
         "peaks": ((*names, "bin"), sums["peaks"], {"long_name": "simulations by peak rotation"}),
     }
-    if ensemble.leans:
-        told = {"long_name": "stood at the end, but leaning on a wall or in a strap"}
-        variables["leaning"] = (names, _sum(stored["leaning"]), told)
+    if name := ensemble.held_field:
+        told = {"long_name": FIELDS[name].meaning}
+        variables[name] = (names, _sum(stored[name]), told)
     coordinates |= {
         "level": list(LEVELS),
         "moment": list(MOMENTS),

@@ -28,7 +28,7 @@ class Summary:
 
     Attributes:
         downhill, uphill: falls.
-        leaning: what stood at the end, but leaning on a wall or in a strap.
+        held: counts of `Ensemble.held_field`.
         moments: (level, moment, body, tilt, scale), see LEVELS and MOMENTS.
         peaks: sketch of the peak rotations, (body, tilt, scale, bin).
         by_recording: falls downhill and uphill, (direction, recording, body, tilt, scale).
@@ -36,7 +36,7 @@ class Summary:
 
     downhill: NDArray[np.int64]
     uphill: NDArray[np.int64]
-    leaning: NDArray[np.int64]
+    held: NDArray[np.int64]
     moments: NDArray[np.int64]
     peaks: NDArray[np.uint32]
     by_recording: NDArray[np.int32]
@@ -63,7 +63,7 @@ class SummaryTally:
         self._each = ensemble.repeats * np.bincount(self._recording)
         cells = (len(ensemble.bodies), ensemble.tilts.size, ensemble.scales.size)
         self._falls = np.zeros((2, self._recordings, *cells), np.int32)
-        self._leaning = np.zeros(cells, np.int64)
+        self._held = np.zeros(cells, np.int64)
         self._peaks = np.zeros((*cells, sketch.BINS), np.uint32)
 
     def store(self, part: Part) -> None:
@@ -74,8 +74,9 @@ class SummaryTally:
             here = outcome == which
             where = (k, self._recording[motion[here]], body[here], tilt[here], scale[here])
             np.add.at(self._falls, where, 1)
-        if "leaning" in part.results:
-            np.add.at(self._leaning, (body, tilt, scale), part.results["leaning"])
+        if self._ensemble.held_field in part.results:
+            held = part.results[self._ensemble.held_field]
+            np.add.at(self._held, (body, tilt, scale), held)
         np.add.at(self._peaks, (body, tilt, scale, sketch.bins_of(peak, fallen)), 1)
 
     @property
@@ -86,7 +87,7 @@ class SummaryTally:
         return Summary(
             downhill=down.sum(axis=0),
             uphill=up.sum(axis=0),
-            leaning=self._leaning,
+            held=self._held,
             moments=_moments_of(down, up, self._each, number, self._event),
             peaks=self._peaks,
             by_recording=self._falls,

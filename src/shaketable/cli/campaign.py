@@ -15,6 +15,12 @@ from shaketable.errors import InputError, SimulationError
 from shaketable.progress import duration, rate, size
 from shaketable.report.run_log import RunLog
 
+#: What a campaign counts of bodies that did not fall, in words behind their number.
+ENDS = {
+    "held_up": "leave it held up by its wall or strap alone",
+    "leaning": "leave it leaning on a wall or in a strap",
+}
+
 if TYPE_CHECKING:
     from shaketable.campaign.assessments import Assessments
     from shaketable.campaign.libraries import Libraries
@@ -149,8 +155,8 @@ def _write_falls(
     written = write_folder(out, run, overwrite=overwrite, tables=tables, parquet=tables)
     falls, simulations = int(table["falls"].sum()), int(table["simulations"].sum())
     share = 100 * falls / simulations
-    leaning = int(table["leaning"].sum()) if "leaning" in table else 0
-    stays = f"; {leaning:,} leave it leaning on a wall or in a strap" if leaning else ""
+    counts = {name: int(table[name].sum()) if name in table else 0 for name in ENDS}
+    stays = "".join(f"; {count:,} {ENDS[name]}" for name, count in counts.items() if count)
     say(f"{falls:,} of {simulations:,} simulations overturn their body ({share:.3g} %){stays}")
     say(f"{len(table):,} rows, one for each body, tilt and scale, in {out}: {', '.join(written)}")
 

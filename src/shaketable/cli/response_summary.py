@@ -49,13 +49,15 @@ def _of_plane(response: PlanarResponse) -> dict[str, Any]:
                 for start, phase in zip(response.phase_times, response.phases, strict=True)
             ],
         }
+        if response.surroundings:
+            summary["leaning"] = response.leaning
         summary |= _held(response)
     return summary
 
 
 def _held(response: Response) -> dict[str, Any]:
     """What surroundings did, if there are any."""
-    held: dict[str, Any] = {"leaning": response.leaning} if response.surroundings else {}
+    held: dict[str, Any] = {}
     if response.strap_force:
         broke = [None if math.isnan(each) else each for each in response.strap_broke_at]
         held |= {"strap_force_n": list(response.strap_force), "strap_broke_at_s": broke}
@@ -86,8 +88,9 @@ def _said_of_plane(response: PlanarResponse) -> str:
     elif response.leaning:
         angle = abs(math.degrees(float(response.rotation[-1])))
         said = (
-            f"does not fall, but ends leaning {_held_by(response)} by {angle:.3g}°; it rocks by at "
-            f"most {peak:.3g}°, with {response.impacts} impacts"
+            f"does not fall, but ends leaning {_leans_on(response)} by {angle:.3g}° (whether it "
+            "would fall without is not known in the plane); it rocks by at most "
+            f"{peak:.3g}°, with {response.impacts} impacts"
         )
     else:
         rocks = f"rocks by at most {peak:.3g}°, with {response.impacts} impacts"
@@ -134,6 +137,7 @@ def _of_solid(response: SolidResponse) -> dict[str, Any]:
         "max_lift_m": response.max_lift,
         "impacts": response.impacts,
         "fallbacks": response.fallbacks,
+        **({"held_up": response.held_up} if response.surroundings else {}),
         **_held(response),
     }
 
@@ -153,9 +157,8 @@ def _said_of_solid(response: SolidResponse) -> str:
     peak = math.degrees(response.peak_rotation)
     leans = f"its axis leans by at most {peak:.3g}°, with {response.impacts} impacts"
     said = f"stands; {leans if peak > 0.0 else 'it does not lean'}"
-    if response.leaning:
-        angle = math.degrees(float(response.nutation[-1]))
-        said = f"does not fall, but ends leaning {_held_by(response)} by {angle:.3g}°; {leans}"
+    if response.held_up:
+        said = f"does not fall, but {_held_by(response)} alone keeps it from falling; {leans}"
     x, y = response.displacement_x, response.displacement_y
     far = math.hypot(x, y)
     if far > NOTHING:
@@ -169,6 +172,14 @@ def _said_of_solid(response: SolidResponse) -> str:
 
 
 def _held_by(response: Response) -> str:
+    """What may hold up a body."""
+    around = response.surroundings
+    wall = "its wall" if around and around.walls else ""
+    strap = "its strap" if around and around.straps else ""
+    return " or ".join(part for part in (wall, strap) if part)
+
+
+def _leans_on(response: Response) -> str:
     """What a body that leans may lean on or in."""
     around = response.surroundings
     on = "on a wall" if around and around.walls else ""

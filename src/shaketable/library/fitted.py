@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from shaketable.fragility.curve import GROUND, Curve
 from shaketable.fragility.exported import word_of
-from shaketable.fragility.limit_states import LEANS, OVERTURNS, REACHES, LimitState
+from shaketable.fragility.limit_states import HELD_UP, OVERTURNS, REACHES, LimitState
 from shaketable.fragility.lognormal import Points, fit_many, probability
 from shaketable.library.case import Case
 from shaketable.library.draws import Draws, draws_of
@@ -33,8 +33,8 @@ DRAWS = 200
 TESTS = 0.20
 #: Share of runs that were given up while the thing still moved, above which a caution says so.
 MOVING = 0.02
-#: Share that ended leaning at one factor, above which the function of overturning says so.
-LEANING = 0.05
+#: Share that was held up alone at one factor, above which the function of overturning says so.
+MOST_HELD_UP = 0.05
 #: By how much a function may exceed that of a state that includes its own without a caution.
 CROSSES = 0.05
 #: Parts of the simulations in which shares are compared with a function, and by how much they may
@@ -53,12 +53,13 @@ class LibraryFunction:
         effects: of what was drawn on ln θ.
         simulations: how many it was fitted to.
         moving: share of them that were given up while the thing still moved.
-        leaning: largest share at one factor that ended leaning on a wall or held up by a strap.
+        held_up: largest share at one factor that a wall or a strap alone held up at the end.
         departs: largest difference between the function and the share that reaches the state, in
             BINS parts of the simulations.
         strongest: share that reaches it at the largest factor on the motions.
         scaled: the median over the strongest of the motions as recorded.
-        crosses: by how much the function of overturning exceeds that of overturning or leaning.
+        crosses: by how much the function of overturning exceeds that of overturning or being held
+            up.
     """
 
     case: Case
@@ -68,7 +69,7 @@ class LibraryFunction:
     effects: Effects
     simulations: int
     moving: float
-    leaning: float
+    held_up: float
     departs: float
     strongest: float
     scaled: float
@@ -105,10 +106,10 @@ class LibraryFunction:
                 f"the share of simulations that reach the state departs from the function by up to "
                 f"{self.departs:.0%}: it is not lognormal"
             )
-        if self.state.kind == OVERTURNS and self.leaning > LEANING:
+        if self.state.kind == OVERTURNS and self.held_up > MOST_HELD_UP:
             said.append(
-                f"at one factor on the motions {self.leaning:.0%} of the simulations end leaning "
-                f"on the wall or held up by the strap, and have not overturned: see {LEANS!r}"
+                f"at one factor on the motions {self.held_up:.0%} of the simulations end held up "
+                f"by the wall or the strap alone, and have not overturned: see {HELD_UP!r}"
             )
         if self.crosses > CROSSES:
             said.append(
@@ -190,16 +191,16 @@ def _crossed(
 ) -> list[LibraryFunction]:
     """The functions of a case and measure, with how far they rest on scaled motions, and cross.
 
-    Each state is fitted by itself, so that what overturns or leans may seem rarer than what
+    Each state is fitted by itself, so that what overturns or is held up may seem rarer than what
     overturns.
     """
     found = [replace(one, scaled=one.curve.median / float(once.max())) for one in functions]
     by_kind = {one.state.kind: k for k, one in enumerate(found) if not one.problem}
-    if OVERTURNS in by_kind and LEANS in by_kind:
-        falls, either = (found[by_kind[kind]].curve for kind in (OVERTURNS, LEANS))
+    if OVERTURNS in by_kind and HELD_UP in by_kind:
+        falls, either = (found[by_kind[kind]].curve for kind in (OVERTURNS, HELD_UP))
         levels = np.geomspace(level.min(), level.max(), LEVELS)
         more = float((falls.probability(levels) - either.probability(levels)).max())
-        found[by_kind[LEANS]] = replace(found[by_kind[LEANS]], crosses=more)
+        found[by_kind[HELD_UP]] = replace(found[by_kind[HELD_UP]], crosses=more)
     return found
 
 
@@ -241,7 +242,9 @@ def _fitted(
         effects=effects_of(points, draws, runs.draw, event) if known else no_effects(draws),
         simulations=level.size,
         moving=float(runs.moving.mean()),
-        leaning=max(float(runs.leans[runs.scale == each].mean()) for each in np.unique(runs.scale)),
+        held_up=max(
+            float(runs.held_up[runs.scale == each].mean()) for each in np.unique(runs.scale)
+        ),
         departs=_departure(curve, points) if known else np.nan,
         strongest=float(happened[runs.scale == runs.scale.max()].mean()),
         scaled=np.nan,

@@ -35,6 +35,7 @@ def read_library_table(path: str | Path) -> pd.DataFrame:
         table = pd.read_csv(path, dtype=str, keep_default_na=False)
     except (OSError, ValueError) as error:
         raise refused(path, f"cannot be read ({error})") from None
+    table = table.rename(columns={"leaning": "held_up"})  # of edition 1.0
     missing = [name for name in COLUMNS if name not in table]
     if missing:
         raise refused(

@@ -41,7 +41,7 @@ class CaseRuns:
         draw: number of the draw; its motion is that number modulo the number of motions.
         scale: factor on the motion.
         fell: whether it fell.
-        leans: whether it stands at the end, but leaning on its wall, or still moves in its strap.
+        held_up: whether it did not, and would without its wall and strap.
         off: whether it went over the edge of its table.
         rotation: largest of its axis from the support's normal [rad].
         farthest: displacement of its foot at any time [m].
@@ -54,7 +54,7 @@ class CaseRuns:
     draw: NDArray[np.int32]
     scale: NDArray[np.float64]
     fell: NDArray[np.bool_]
-    leans: NDArray[np.bool_]
+    held_up: NDArray[np.bool_]
     off: NDArray[np.bool_]
     rotation: NDArray[np.float32]
     farthest: NDArray[np.float32]
@@ -123,7 +123,7 @@ def _telling(pilot: CaseRuns) -> list[float]:
     tried = list(by_scale)
     moved = (pilot.rotation > 0.0) | (pilot.farthest > SLIDES)
     lifted = [moved[which].mean() for which in by_scale.values()]
-    down = pilot.fell | pilot.leans
+    down = pilot.fell | pilot.held_up
     fallen = [down[which].mean() for which in by_scale.values()]
     quiet = [k for k, share in enumerate(lifted) if share <= SATURATED_SHARE]
     sure = [k for k, share in enumerate(fallen) if share >= 1.0 - SATURATED_SHARE]
@@ -192,7 +192,7 @@ def _kept(
         draw=number,
         scale=scale,
         fell=down,
-        leans=~down & (runs.get("leaning", nowhere) | (moving & (case.held.strength is not None))),
+        held_up=runs.get("held_up", nowhere),
         off=runs.get("off_edge", nowhere),
         rotation=runs["peak_rotation"].astype(np.float32),
         farthest=runs["farthest_displacement"].astype(np.float32),

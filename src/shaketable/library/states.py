@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from shaketable.errors import InputError, quoted
 from shaketable.fragility.limit_states import (
+    HELD_UP,
     LEANS,
     OVERTURNS,
     REACHES,
@@ -32,18 +33,23 @@ def state_of_library(text: str) -> LimitState:
     found = limit_state(text)
     if found.kind == ROCKS:
         raise InputError(f"limit state {quoted(text)} is of planar bodies; write 'uplift'")
+    if found.kind == LEANS:
+        raise InputError(
+            f"limit state {quoted(text)} is of edition 1.0 of the published library; write "
+            f"{quoted(HELD_UP)}"
+        )
     return found
 
 
 def has_state(case: Case, state: LimitState) -> bool:
     """Whether a case can come to a state.
 
-    What stands on a table walks off it; other things reach, and lean where there is a wall. A thing
+    What stands on a table walks off it; other things reach, and are held up by a wall. A thing
     that covers the ground so far from the wall before it is shaken has no such state.
     """
     if state.kind == WALKS_OFF:
         return case.held.edge is not None
-    if state.kind == LEANS:
+    if state.kind == HELD_UP:
         return case.held.wall_gap is not None
     if state.kind == REACHES:
         at_rest = wall_behind(case) + case.thing.depth * (1.0 + BASE_DIFFERS)
@@ -54,14 +60,13 @@ def has_state(case: Case, state: LimitState) -> bool:
 def reached(state: LimitState, runs: CaseRuns) -> NDArray[np.bool_]:
     """Whether each simulation reached a state, (run,).
 
-    What fell has lifted off and slid, too. What ends leaning on its wall or in its strap has not
-    overturned; mostly its foot walked from the wall by centimetres and its strap keeps its top.
+    What fell has lifted off and slid, too.
     """
     return {
         UPLIFT: runs.fell | (runs.rotation > 0.0),
         SLIDES: runs.fell | (runs.farthest >= state.least),
         WALKS_OFF: runs.off,
         OVERTURNS: runs.fell,
-        LEANS: runs.fell | runs.leans,
+        HELD_UP: runs.fell | runs.held_up,
         REACHES: runs.reach >= state.least,
     }[state.kind]

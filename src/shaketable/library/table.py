@@ -65,7 +65,8 @@ COLUMNS = {
     "friction_high": LibraryColumn(NUMBER, "1", "largest coefficient of friction drawn"),
     "limit_state": LibraryColumn(
         TEXT, "", "what is reached: uplift, slides so far, walks off its table, overturns (falls), "
-        "overturns or leans (or ends leaning on its wall or held up by its strap, at any angle), "
+        "overturns or held up (or would at the end without its wall and strap; edition 1.0 has "
+        "overturns or leans instead: or ends turned on its wall or in its strap, at any angle), "
         "reaches so far from the wall behind it",
     ),
     "measure": LibraryColumn(
@@ -106,14 +107,14 @@ COLUMNS = {
     "recordings_reaching": LibraryColumn(
         WHOLE, "1", "recordings of which at least one simulation reaches the state"
     ),
-    "leaning": LibraryColumn(
-        NUMBER, "1", "largest share of simulations at one factor on the motions that end leaning "
-        "on a wall or held up by a strap, at any angle; they have not overturned",
+    "held_up": LibraryColumn(
+        NUMBER, "1", "largest share of simulations at one factor on the motions that have not "
+        "overturned, and would at the end without wall and strap; in edition 1.0, whose column is "
+        "leaning, that end turned on a wall or in a strap, at any angle",
     ),
     "given_up": LibraryColumn(
         NUMBER, "1", "share of simulations that were stopped while the thing still moved, which "
-        "have not overturned, so that the true share is as high or higher; in a strap they count "
-        "as leaning",
+        "have not overturned, so that the true share is as high or higher",
     ),
     "problem": LibraryColumn(TEXT, "", "why there is no function"),
     "caution": LibraryColumn(TEXT, "", "what is weak about it"),
@@ -182,7 +183,7 @@ def _row(one: LibraryFunction, drawn: DrawnBeta) -> Mapping[str, Any]:
         "recordings": curve.recordings,
         "events": curve.events,
         "recordings_reaching": curve.reached_by,
-        "leaning": one.leaning,
+        "held_up": one.held_up,
         "given_up": one.moving,
         "problem": one.problem,
         "caution": one.caution,

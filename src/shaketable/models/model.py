@@ -44,10 +44,12 @@ class Held(NamedTuple):
     """What surroundings did in some runs, by the names of `simulate.result_fields.FIELDS`.
 
     Attributes:
-        leaning: whether it ended upright but turned by more than 0.001 rad, on a wall, in a strap
-            or at an edge; of a solid also where it was given up, (run,).
         strap_force: the largest of each strap [N], (run, strap).
         strap_broke_at: when it broke [s], NaN if it did not, (run, strap).
+        held_up: of a solid, whether it did not fall, and would without its walls and straps,
+            (run,); None of a planar body.
+        leaning: of a planar body, whether it ended upright but turned by more than 0.001 rad,
+            (run,); None of a solid.
         off_edge: whether it left its support over the edge, (run,); None, and so are the others,
             without one.
         left_support_at, landing_time: when it did, and when it came down [s], NaN if it did not.
@@ -56,9 +58,10 @@ class Held(NamedTuple):
         landing_rotation: rad.
     """
 
-    leaning: NDArray[np.bool_]
     strap_force: NDArray[np.float64]
     strap_broke_at: NDArray[np.float64]
+    held_up: NDArray[np.bool_] | None = None
+    leaning: NDArray[np.bool_] | None = None
     off_edge: NDArray[np.bool_] | None = None
     left_support_at: NDArray[np.float64] | None = None
     landing_time: NDArray[np.float64] | None = None

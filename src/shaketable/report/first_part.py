@@ -116,14 +116,14 @@ def where(result: ItemResult, assessment: Assessment) -> str:
 
 
 def _told(result: ItemResult) -> str:
-    """The share in words: of falls, of falls and leaning, or of going far."""
+    """The share in words: of falls, of what is held up alone too, or of going far."""
     often = numbers.with_interval(result.governing_share)
     if result.governing_share == result.overturns:
         return tell("falls in {often} of 100", often=often)
     if result.item.rolls:
         return tell("falls or rolls far in {often} of 100", often=often)
     if result.solid and result.solid.surrounded:
-        return tell("falls or leans in {often} of 100", often=often)
+        return tell("falls, or only its wall or strap holds it up, in {often} of 100", often=often)
     return tell("falls or leaves its support in {often} of 100", often=often)
 
 

@@ -82,7 +82,7 @@ function show(row) {
     "θ": row.median === null ? "none" : `${shown(row, "median")} ${unit}, 95 %: ${shown(row, "median_low")} to ${shown(row, "median_high")}`,
     "β": `${number(row.beta, 2)}: motions ${number(row.beta_motions, 2)}, object ${number(row.beta_object, 2)}, model ${number(row.beta_model, 2)}`,
     "From": `${row.simulations} simulations of ${row.recordings} recordings of ${row.events} earthquakes; ${row.recordings_reaching} recordings reach the state`,
-    "Given up in motion": `${number(100 * row.given_up, 2)} % of the simulations, which have not overturned; in a strap they count as leaning`,
+    "Given up in motion": `${number(100 * row.given_up, 2)} % of the simulations, which have not overturned`,
     "No function": row.problem || "",
     "Caution": row.caution || "",
   };

@@ -121,7 +121,7 @@ def _told(found: RoomAssessment, design: RoomDesign | None) -> dict[str, object]
         "total": words.total_hits(found),
         "things": [
             {"name": each.name, "falls": words.often(each.falls, each.friction, found),
-             "leans": words.often(each.leans, each.friction_leaning, found),
+             "held_up": words.often(each.held_up, each.friction_held_up, found),
              "covers": number(each.covers, ".2f")}
             for each in found.things
         ],
@@ -135,10 +135,10 @@ def tables_of(found: RoomAssessment) -> dict[str, pd.DataFrame]:
     rows, columns = found.covered.nonzero()
     return {
         "things": pd.DataFrame(
-            {"name": each.name, **_share("fall", each.falls), **_share("lean", each.leans),
+            {"name": each.name, **_share("fall", each.falls), **_share("held_up", each.held_up),
              **{f"{side}_share_of_falls": share for side, share in each.sides._asdict().items()},
              "covered_m2": each.covers, "friction": each.friction,
-             "friction_leaning": each.friction_leaning}
+             "friction_held_up": each.friction_held_up}
             for each in found.things
         ),
         "places": pd.DataFrame(

@@ -159,7 +159,7 @@ def _columns(assessment: Assessment) -> list[_Column]:
         sources=translated(assessment.sources),
     )
     what += tell(" (on castors: falls, or goes farther than half a metre)") if rolls else ""
-    what += tell(" (at walls and in straps: falls, or ends leaning)") if held else ""
+    what += tell(" (at walls and in straps: falls, or only these hold it up)") if held else ""
     what += tell(", some in a plane alone") if flat and assessment.solids else ""
     found = [
         _Column(tell("in 100\nshakings"), "falls", what, _share, coloured=True),

@@ -37,7 +37,7 @@ def found_of(prepared: Prepared) -> RoomAssessment:
             friction, friction,
         )
         for name, ground, sides, lean in zip(
-            names, grounds, prepared.sides, prepared.leans, strict=True
+            names, grounds, prepared.sides, prepared.held_up, strict=True
         )
     )  # fmt: skip
     places = []

@@ -111,10 +111,10 @@ def _worse(own: Sequence[Told], found: Sequence[Told], other: Sequence[Told]) ->
 
 
 def _worse_thing(own: ThingResult, found: ThingResult, other: ThingResult) -> ThingResult:
-    """The same of a thing, by its falls, and by itself of how often it leans."""
+    """The same of a thing, by its falls, and by itself of how often it is held up."""
     told = other if _leads(other.falls, own.falls, found.falls) else found
-    leans = other if _leads(other.leans, own.leans, found.leans) else found
-    return replace(told, leans=leans.leans, friction_leaning=leans.friction_leaning)
+    held = other if _leads(other.held_up, own.held_up, found.held_up) else found
+    return replace(told, held_up=held.held_up, friction_held_up=held.friction_held_up)
 
 
 def _leads(that: Share, own: Share, found: Share) -> bool:

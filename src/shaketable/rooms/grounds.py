@@ -49,7 +49,7 @@ def ground_of(room: Room, grid: Grid, thing: Thing, fate: Fate) -> Ground:
             if room.scatter:
                 within = within.buffer(room.scatter).intersection(outline)
             after.append(grid.covered(within))
-        elif fate.leans[k]:
+        elif fate.held_up[k]:
             after.append(grid.covered(leaning(thing, room, shift, yaw).intersection(outline)))
         elif np.abs(shift).max() < STAYS * grid.cell and abs(yaw) < TURNS:
             after.append(rest)

@@ -45,7 +45,7 @@ class Prepared:
         shaken: the things that were.
         grounds: what each of these covers in each run.
         sides: to which of its own sides the falls of each go.
-        leans: whether each stands leaning.
+        held_up: shares in which the walls and straps of each alone hold it up.
         left_out: the other things.
         judge: of its runs.
     """
@@ -57,7 +57,7 @@ class Prepared:
     shaken: tuple[Thing, ...]
     grounds: tuple[Ground, ...]
     sides: tuple[Sides, ...]
-    leans: tuple[Share, ...]
+    held_up: tuple[Share, ...]
     left_out: tuple[Thing, ...]
     judge: Judge
 
@@ -163,7 +163,7 @@ def _shaken(
             sides_of(fate.toward[fate.fell] - own_angle(thing, room))
             for thing, fate in zip(things, fates, strict=True)
         ),
-        tuple(share_of(fate.leans & ~fate.fell, space.recordings) for fate in fates),
+        tuple(share_of(fate.held_up & ~fate.fell, space.recordings) for fate in fates),
         left_out, judge,
     )  # fmt: skip
 

@@ -21,19 +21,19 @@ class ThingResult:
         name: of it.
         falls: in how many of all runs.
         sides: to which of its own sides the falls go.
-        leans: in how many it stands leaning.
+        held_up: in how many its walls and straps alone hold it up.
         covers: the ground that it covers when it has fallen, on an average over all runs [m²].
         friction: of what stands on its feet, with which its falls were found.
-        friction_leaning: likewise, of its leaning.
+        friction_held_up: likewise, of being held up.
     """
 
     name: str
     falls: Share
     sides: Sides
-    leans: Share
+    held_up: Share
     covers: float
     friction: float
-    friction_leaning: float
+    friction_held_up: float
 
 
 @dataclass(frozen=True)
@@ -152,7 +152,7 @@ class RoomAssessment:
         """Those with which anything that is told of things, places and ways was found."""
         return {
             *(each.friction for each in self.things),
-            *(each.friction_leaning for each in self.things),
+            *(each.friction_held_up for each in self.things),
             *(each.friction for each in self.places),
             *(each.friction for each in self.ways),
         }

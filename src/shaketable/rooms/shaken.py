@@ -35,14 +35,14 @@ class Fate:
 
     Attributes:
         fell: whether it fell.
-        leans: whether it stands, and leans on a wall or in a strap.
+        held_up: whether it did not fall, and would without its walls and straps.
         toward: direction in which it fell, from +x toward +y [rad]; NaN where it did not.
         shift: how far its foot came, (run, 2) [m].
         yaw: by how much it is turned, from +x toward +y [rad].
     """
 
     fell: NDArray[np.bool_]
-    leans: NDArray[np.bool_]
+    held_up: NDArray[np.bool_]
     toward: NDArray[np.float64]
     shift: NDArray[np.float64]
     yaw: NDArray[np.float64]
@@ -110,7 +110,7 @@ def shake(
         found.append(
             Fate(
                 fell=its.fell.ravel(),
-                leans=its.leans.ravel(),
+                held_up=its.held_up.ravel(),
                 toward=its.toward.ravel() + angle,
                 shift=np.column_stack(
                     [x * math.cos(angle) - y * math.sin(angle),

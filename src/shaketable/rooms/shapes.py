@@ -150,7 +150,7 @@ def before_wall(room: Room, thing: Thing, number: int, gap: float) -> Thing:
 
 
 def leaning(thing: Thing, room: Room, shift: Sequence[float], yaw: float) -> BaseGeometry:
-    """The ground below a thing that leans on one of the walls near it; which one is not told."""
+    """The ground below a thing that one of the walls near it holds up; which one is not told."""
     base = footprint(thing, room, shift, yaw)
     ground: BaseGeometry = base
     for gap, out in walls_near(room, thing):

@@ -50,7 +50,7 @@ def held_of(found: NDArray[np.float64], surroundings: Surroundings, solid: Solid
     straps = len(surroundings.straps)
     each = found[:, SUMMARY + 1 : SUMMARY + 1 + 2 * straps].reshape(len(found), straps, 2)
     held = Held(
-        leaning=found[:, SUMMARY] > 0.5,
+        held_up=found[:, SUMMARY] > 0.5,
         strap_force=(solid.mass or np.nan) * each[..., 0],
         strap_broke_at=each[..., 1].copy(),
     )

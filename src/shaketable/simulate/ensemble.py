@@ -166,9 +166,13 @@ class Ensemble:
         )
 
     @property
-    def leans(self) -> bool:
-        """Whether bodies may stand leaning: among surroundings, where they can move freely."""
-        return FIELDS["leaning"].is_told(self.surroundings) and self.model.slides
+    def held_field(self) -> str:
+        """The field that tells what its surroundings alone may hold; "" where none is told."""
+        for name in ("held_up", "leaning"):
+            field = FIELDS[name]
+            if self.kind.has(self.model) in field.of and field.is_told(self.surroundings):
+                return name
+        return ""
 
     def around(self, body: int) -> Surroundings | None:
         """What surrounds a body."""

@@ -60,7 +60,7 @@ def simulate_many(
         (docs/reference/results.md): outcome (see Outcome), overturning_time, peak_rotation, impacts
         and ending of all; of the general model displacement_x, slip_downhill, slip_uphill and
         max_lift; of Solids fall_azimuth, displacements, yaw and max_lift, in surroundings
-        leaning, and with straps strap_force and strap_broke_at over (..., strap). Where a body has
+        held_up, and with straps strap_force and strap_broke_at over (..., strap). Where a body has
         its own restitution factor, a coordinate tells those of all.
 
     Raises:

@@ -101,8 +101,13 @@ FIELDS = {
     "farthest_displacement": Field(
         np.float64, "m", "farthest displacement at any time", (SOLID,)
     ),
+    "held_up": Field(
+        np.bool_, "", "in surroundings: did not fall, and would without its walls and straps",
+        (SOLID,), held=True,
+    ),
     "leaning": Field(
-        np.bool_, "", "in surroundings: stood at the end, but leaning", MOVING, held=True
+        np.bool_, "", "in surroundings: ended upright, turned by more than 0.001 rad", (GENERAL,),
+        held=True,
     ),
     "strap_force": Field(
         np.float64, "N", "with straps: largest force of each", MOVING, held=True, along="strap"

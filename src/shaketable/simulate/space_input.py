@@ -89,7 +89,10 @@ def standing_limit(solid: Solid, azimuth: float) -> float:
 def shapes_of(
     solid: Solid, model: General, surroundings: Surroundings | None = None
 ) -> tuple[SolidRecords, Workspaces]:
-    """The solid's numbers as an array of one record, and the workspace of a run of it."""
+    """The solid's numbers as a record, and the workspace of a run of it.
+
+    What is among walls or straps has a second record, without them.
+    """
     from shaketable.physics.space.vectors import Sym
     from shaketable.physics.space.workspace import (
         KINETIC,
@@ -150,7 +153,9 @@ def shapes_of(
         **_edge_of(surroundings),
         **_pads_of(solid, surroundings),
     )
-    return make_records(shape), workspaces
+    alone = shape._replace(straps=0, walls=0, outline=0, glue=0.0)
+    held = shape.straps + shape.walls > 0
+    return make_records(shape, alone) if held else make_records(shape), workspaces
 
 
 def _write_straps(solid: Solid, surroundings: Surroundings | None, workspaces: Workspaces) -> int:

@@ -48,9 +48,6 @@ class GroundTrace(BaseModel):
 class Surrounded(BaseModel):
     """What became of a thing among what surrounds it."""
 
-    leaning: bool = Field(
-        False, description="it stands at the end, but leaning on its wall or in its strap"
-    )
     off_edge: bool = Field(False, description="it fell off its support")
     strap_peak: float | None = Field(
         None, description="largest force of its strap over its weight; null: it has none"
@@ -62,6 +59,7 @@ class ShakenThing(Surrounded):
 
     outcome: Literal["standing", "left", "right"]
     moving: bool = Field(description="it had neither fallen nor come to rest at the end")
+    leaning: bool = Field(False, description="it ended upright, turned by more than 0.001 rad")
     time_s: float | None = Field(description="of the fall")
     peak_deg: float = Field(description="largest rotation")
     tips_at_deg: float = Field(description="rotation from which it falls, to that side")
@@ -77,6 +75,9 @@ class ShakenInSpace(Surrounded):
 
     outcome: Literal["standing", "left", "right", "front", "back"] = Field(
         description="whether it falls, and to which side of the room, within 45°"
+    )
+    held_up: bool = Field(
+        False, description="it did not fall, and would without its wall and strap"
     )
     moving: bool = Field(description="it had neither fallen nor come to rest at the end")
     time_s: float | None = Field(description="of the fall")
@@ -123,7 +124,7 @@ class Shares(BaseModel):
     recordings: int = Field(description="independent ones, of which the interval is")
     falls: int
     moving: int = Field(description="that had neither fallen nor come to rest at their end")
-    leaning: int = Field(0, description="that stood at their end, but leaning")
+    leaning: int = Field(0, description="that ended upright, turned by more than 0.001 rad")
     strap_90: float | None = Field(
         None, description="force of its strap over its weight that 90 of 100 do not exceed"
     )
@@ -147,7 +148,10 @@ class SharesInSpace(BaseModel):
         description="falls to each side of the room, within 45°"
     )
     moving: int = Field(description="that had neither fallen nor come to rest at their end")
-    leaning: int = Field(0, description="that stood at their end, but leaning")
+    held_up: int = Field(
+        0,
+        description="that did not fall, and would without wall and strap; the share has them, too",
+    )
     strap_90: float | None = Field(
         None, description="force of its strap over its weight that 90 of 100 do not exceed"
     )
@@ -256,7 +260,7 @@ class Started(BaseModel):
 
 
 #: What the share of an object is of: beside falls, leaving its support, or rolling far.
-Counts = Literal["falls", "falls_or_leaves", "falls_or_leans", "falls_or_goes_far"]
+Counts = Literal["falls", "falls_or_leaves", "falls_or_held_up", "falls_or_goes_far"]
 
 
 class Ranked(BaseModel):

@@ -83,9 +83,9 @@ def strap_at(
     return [round(float(force), 4) for force in np.interp(at, time, forces[:, 0]) / WEIGHT]
 
 
-def leaning_of(runs: xr.Dataset) -> int:
-    """How many stand at the end, but leaning."""
-    return int(runs.leaning.sum()) if "leaning" in runs else 0
+def count_of(runs: xr.Dataset, name: str) -> int:
+    """How many have something that is told of bodies among surroundings, such as `held_up`."""
+    return int(runs[name].sum()) if name in runs else 0
 
 
 def strap_share_of(runs: xr.Dataset) -> float | None:

@@ -201,7 +201,7 @@ def _counts(result: ItemResult) -> Counts:
     if result.governing_share in falls:
         return "falls"
     if result.as_it_stands is not None and not result.item.rolls:
-        return "falls_or_leans"
+        return "falls_or_held_up"
     return "falls_or_goes_far" if result.item.rolls else "falls_or_leaves"
 
 

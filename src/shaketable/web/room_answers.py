@@ -10,7 +10,7 @@ from shaketable.web.answers import GroundTrace, InHundred
 from shaketable.web.limits import MOST_ROOM
 from shaketable.web.questions import Friction, Question, Scale, Shaking, SuiteName
 
-Way = Literal["falls", "leans", "stands"]
+Way = Literal["falls", "held_up", "stands"]
 
 
 class RoomAsked(Question):
@@ -100,14 +100,14 @@ class ThingFound(BaseModel):
 
     name: str
     falls: InHundred
-    leans: InHundred
+    held_up: InHundred
     sides: tuple[float, float, float, float] = Field(
         description="shares of all shakings in which it falls to its front, back, left and right"
     )
     share: float
     high: float
     at_friction: str = AT_FRICTION
-    leaning_at_friction: str = AT_FRICTION
+    held_up_at_friction: str = AT_FRICTION
     covers_m2: float
 
 

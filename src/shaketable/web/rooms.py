@@ -139,7 +139,7 @@ def _frames(shaken: ThingShaken, at: np.ndarray) -> ThingFrames:
     kept = slice(0, int(moving[-1]) + 2 if moving.size else 1)
     return ThingFrames(
         name=shaken.thing.name,
-        outcome="falls" if fell else "leans" if run.leaning else "stands",
+        outcome="falls" if fell else "held_up" if run.held_up else "stands",
         time_s=run.overturning_time if fell else None,
         base_m=(-item.body.left, item.body.right, -across.right, across.left),
         below_m=item.body.cg_height,
@@ -198,8 +198,8 @@ def _told(found: RoomAssessment, design: RoomDesign | None, notes: list[str]) ->
         covered=list(zip(some.tolist(), np.round(covered[some], 4).tolist(), strict=True)),
         things=[
             ThingFound(
-                name=each.name, falls=in_hundreds(each.falls), leans=in_hundreds(each.leans),
-                leaning_at_friction=words.at_friction(each.friction_leaning, found),
+                name=each.name, falls=in_hundreds(each.falls), held_up=in_hundreds(each.held_up),
+                held_up_at_friction=words.at_friction(each.friction_held_up, found),
                 sides=_sides(each), share=each.falls.value, high=each.falls.high,
                 at_friction=words.at_friction(each.friction, found), covers_m2=each.covers,
             )

@@ -27,7 +27,7 @@ from shaketable.web.beside import (
     MASS,
     WEIGHT,
     around,
-    leaning_of,
+    count_of,
     require_mild,
     strap_at,
     strap_share_of,
@@ -127,7 +127,7 @@ def many(asked: Many) -> Shares:
         recordings=recordings(motions),
         falls=int(fell(now).sum()),
         moving=int(not_settled(now.ending.values).sum()),
-        leaning=leaning_of(now),
+        leaning=count_of(now, "leaning"),
         strap_90=strap_share_of(now),
         left=int((now.outcome == Outcome.DOWNHILL).sum()),
         share=found[0].share,
@@ -151,8 +151,11 @@ def scales_of(
 
 
 def points(runs: xr.Dataset, independent: int) -> list[Point]:
-    """The share of falls at each scale, with its interval of so many independent recordings."""
-    fallen = fell(runs)
+    """The share of falls at each scale, with its interval of so many independent recordings.
+
+    What its wall or strap alone holds up counts as fallen.
+    """
+    fallen = fell(runs) | runs["held_up"] if "held_up" in runs else fell(runs)
     shares = fallen.mean([each for each in fallen.dims if each != "scale"])
     return [
         Point(scale=scale, share=share, low=float(low), high=float(high))

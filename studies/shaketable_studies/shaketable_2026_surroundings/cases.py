@@ -47,7 +47,7 @@ def counted(runs: Runs, free: Runs, k: int, pairs: Pairs) -> dict[str, Any]:
         "high": high,
         "away": int(runs.away[:, k].sum()),
         "to_the_wall": int(runs.toward[:, k].sum()),
-        "leaning": int(runs.leaning[:, k].sum()),
+        "held_up": int(runs.held_up[:, k].sum()),
         "saved": int((alone & ~fell).sum()),
         "harmed": int((fell & ~alone).sum()),
         "change_low": change_low,

@@ -32,14 +32,14 @@ class Runs(NamedTuple):
     Attributes:
         away: fell away from the wall, or toward -x where there is none.
         toward: fell to its side.
-        leaning: did not fall, but leans.
+        held_up: did not fall, and would without wall and strap.
         force: of a strap, by the weight; none without.
         broke: whether it broke; none without.
     """
 
     away: NDArray[np.bool_]
     toward: NDArray[np.bool_]
-    leaning: NDArray[np.bool_]
+    held_up: NDArray[np.bool_]
     force: NDArray[np.float64] | None
     broke: NDArray[np.bool_] | None
 
@@ -92,7 +92,7 @@ def shaken(
     return Runs(
         away=outcome == AWAY,
         toward=outcome == NEAR_WALL,
-        leaning=found.leaning.values[first] if around else np.zeros(outcome.shape, np.bool_),
+        held_up=found.held_up.values[first] if around else np.zeros(outcome.shape, np.bool_),
         force=found.strap_force.values[first, ..., 0] / WEIGHT if straps else None,
         broke=np.isfinite(found.strap_broke_at.values[first, ..., 0]) if straps else None,
     )

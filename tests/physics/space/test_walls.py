@@ -147,7 +147,7 @@ def test_what_leans_on_a_smooth_wall_needs_friction(
     assert (moved < 1e-9) is stays
 
 
-def test_leaning_on_a_wall_is_told() -> None:
+def test_what_a_wall_catches_is_held_up() -> None:
     """Pushed over it is caught by a wall half a metre away, and stays there."""
     t = np.arange(300) * 0.01
     push = Motion(-0.6 * G * np.sin(math.pi * t / 0.8) * (t < 0.8), 0.01)
@@ -158,14 +158,14 @@ def test_leaning_on_a_wall_is_told() -> None:
     )  # fmt: skip
     assert free.outcome is Outcome.UPHILL
     assert caught.outcome is Outcome.STANDING
-    assert caught.leaning
+    assert caught.held_up
     assert caught.nutation[-1] > 0.2
     assert np.abs(caught.angular_velocity[-1]).max() < 1e-9
     both = simulate_many(
         [BOOKCASE], [push], model=General(static_friction=0.6), polarities=[1], progress=False,
         surroundings=beside(Wall(gap=0.5, friction=0.4)),
     )  # fmt: skip
-    assert bool(both.leaning.values.item())
+    assert bool(both.held_up.values.item())
     assert "strap_force" not in both
 
 

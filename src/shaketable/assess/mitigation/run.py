@@ -212,8 +212,7 @@ def _measure(trial: Trial, runs: SolidRuns, recordings: int) -> Mitigation:
         about=dict(trial.about),
         simulations=runs.fell.size,
         fall=share_of(runs.fell, recordings),
-        leans=share_of(runs.leans, recordings),
+        held_up=share_of(runs.held_up, recordings),
         left=share_of(runs.lost(rolls), recordings),
-        left_or_leans=share_of(runs.lost(rolls) | runs.leans, recordings),
         force=runs.strap_force if pulls else None,
     )

@@ -85,7 +85,7 @@ STICK_TOLERANCE = 1e-9  # m: a sticking body that moved less since the last samp
 # which it moved with less energy than so small a part of g h: some 0.04 mm/s. What can fall would
 # have gathered speed meanwhile; what swings or slips against a wall does so by ever less.
 CALM, CALM_ENERGY = 50, 1e-10
-LEANS = 1e-3  # rad: what comes to rest upright, but turned by more, leans
+TURNED = 1e-3  # rad: only what ends turned by more, or in motion, can be held up
 MARGINAL = 1e-8  # m/s²: a slide that is slowed down by less goes on for ever
 
 
@@ -221,10 +221,14 @@ def record(trace: SolidTrace, sample: int, work: Workspace) -> None:
 def cannot_fall(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
     """Whether the energy of a body is below what its least tipping needs.
 
-    What a strap stores counts as its own; of what is tipped over already and hangs in its straps
-    nobody asks.
+    It counts from where the body stands flat with its foot where it is now; what tips over a side
+    stands with its foot farther back by (1 - cos θ) of the distance, at the most. What a strap
+    stores counts as its own; of what is tipped over already and hangs in its straps nobody asks.
     """
-    energy = kinetic_energy(shape, work.state) - f.z * (work.state[P + 2] - shape.h)
+    q, foot = axes_at(work.state), foot_of(shape, work)
+    raised = subtract(vec(work.state, P), Vec(foot.x, foot.y, shape.h))
+    back = math.sqrt(f.x * f.x + f.y * f.y) * shape.reach * (1.0 - q.z.z)
+    energy = kinetic_energy(shape, work.state) - dot(f, raised) + back
     if shape.straps > 0:
         energy += strap_energy(shape, work)
     least = math.inf
@@ -232,7 +236,6 @@ def cannot_fall(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
         along = math.sqrt(f.x * f.x + f.y * f.y)
         least = tipping_energy(shape.radius, shape.h - shape.rise, along, -f.z) + shape.rise * f.z
     else:
-        q = axes_at(work.state)
         f_x, f_y = q.x.x * f.x + q.y.x * f.y, q.x.y * f.x + q.y.y * f.y
         for k in range(shape.hull):
             j = k + 1 if k + 1 < shape.hull else 0
@@ -361,7 +364,7 @@ def run(
             sample += 1
             break
     write_found(shape, work, ending, start + passed * span, sample, found)
-    write_straps(shape, work, ending, found)
+    write_straps(shape, work, found)
     if shape.edge_at < math.inf:
         columns = SUMMARY + 1 + 2 * shape.straps
         gravity = seen(frame, Vec(0.0, 0.0, -STANDARD_GRAVITY))
@@ -381,15 +384,47 @@ def run(
 
 
 @kernel
-def write_straps(shape: SolidParameters, work: Workspace, ending: int, found: Floats) -> None:
-    """Write after a RunSummary whether a body leans, and each strap's force and breaking."""
-    if shape.straps + shape.walls > 0 or shape.edge_at < math.inf:
-        n = axes_at(work.state).z
-        leans = n.x * n.x + n.y * n.y > LEANS * LEANS
-        found[SUMMARY] = 1.0 if leans and ending == STANDING else 0.0
-        for k in range(shape.straps):
-            found[SUMMARY + 1 + 2 * k] = work.straps[k, FORCE_PEAK]
-            found[SUMMARY + 2 + 2 * k] = work.straps[k, BROKE]
+def write_straps(shape: SolidParameters, work: Workspace, found: Floats) -> None:
+    """Write each strap's force and breaking after a RunSummary and the column of `held_up`."""
+    for k in range(shape.straps):
+        found[SUMMARY + 1 + 2 * k] = work.straps[k, FORCE_PEAK]
+        found[SUMMARY + 2 + 2 * k] = work.straps[k, BROKE]
+
+
+@routine
+def is_held_up(
+    alone: SolidParameters,
+    work: Workspace,
+    still: GroundAcceleration,
+    stand: RunSetup,
+    trace: SolidTrace,
+    ending: float,
+    found: Floats,
+) -> bool:
+    """Whether a solid that has not fallen would, if nothing but its support were there.
+
+    The run goes on from its last state, which this overwrites, with the ground at rest. What is
+    turned too little to have tipped over, and has too little energy to do so, needs no run, unless
+    it may slide over an edge.
+
+    Args:
+        alone: the solid without its walls, straps and pads.
+        work: as the run left it.
+        still: a motion of zeros.
+        stand: of the run.
+        trace: without samples.
+        ending: of the run.
+        found: written, a RunSummary and the columns of an edge.
+    """
+    turned = math.acos(min(1.0, axes_at(work.state).z.z))
+    if ending == OVERTURNED or not (turned > TURNED or ending == STILL_MOVING):
+        return False
+    gravity = seen(tilted(stand), Vec(0.0, 0.0, -STANDARD_GRAVITY))
+    before_tipping = turned + stand.tilt < math.atan2(alone.inscribed, alone.h)
+    if before_tipping and alone.edge_at == math.inf and cannot_fall(alone, work, gravity):
+        return False
+    run(alone, work, still, stand, trace, found)
+    return bool(found[0] == OVERTURNED)
 
 
 @kernel

@@ -253,9 +253,9 @@ SOLID_RECORD = np.dtype(
 SolidRecords = NDArray[np.void]
 
 
-def make_records(shape: SolidParameters) -> SolidRecords:
-    """An array of one shape."""
-    return np.array([tuple(shape)], SOLID_RECORD).view(np.recarray)
+def make_records(*shapes: SolidParameters) -> SolidRecords:
+    """An array of shapes."""
+    return np.array([tuple(shape) for shape in shapes], SOLID_RECORD).view(np.recarray)
 
 
 @kernel

@@ -114,7 +114,7 @@ def _in_a_plane(result: ItemResult, control: float, rim: list[str]) -> list[str]
 
 
 def _worst(result: ItemResult) -> float:
-    """The largest share of falls and of leaning, of all frictions that make a difference."""
+    """The largest share of what falls or is held up alone, of all frictions that differ."""
     return max(each.value for each in result.shares)
 
 
@@ -230,7 +230,7 @@ def _first_as_it_stands(result: ItemResult) -> str:
     if held.surrounded.broke and held.surrounded.broke.value:
         return "take a stronger strap"
     worst = _worst(result)
-    sure = worst <= ACCEPTED_FALLS and not result.moves_on
+    sure = worst <= ACCEPTED_FALLS
     sure &= not (result.item.must_not_fall and worst > 0.0)
     return "keep it strapped" if sure else "hold it better"
 
@@ -264,7 +264,7 @@ def _as_it_stands(result: ItemResult, solid: SolidResult) -> list[str]:
         )
         return [*said, stronger]
     too_often = _worst(result) > (0.0 if item.must_not_fall else ACCEPTED_FALLS)
-    if too_often or result.moves_on:
+    if too_often:
         return [
             *said,
             tell("Hold it better: by a second strap, with less slack, or higher up."),

@@ -46,7 +46,7 @@ def headline(assessment: Assessment) -> list[str]:
 
 
 def what_falls(assessment: Assessment) -> list[str]:
-    """How many kinds and pieces fall, and how many more lean or slide."""
+    """How many kinds and pieces fall, and how many more are held up or slide."""
     results = assessment.results
     pieces = counted(sum(each.item.quantity for each in results), "piece")
     sentences = [] if _nothing_decided(assessment) else [_who_overturns(results, pieces)]
@@ -66,7 +66,7 @@ def what_falls(assessment: Assessment) -> list[str]:
                 unsure=unsure,
             )
         )
-    return [*sentences, *_leaning(results), *_sliding(results)]
+    return [*sentences, *_held_up(results), *_sliding(results)]
 
 
 def in_three_sentences(assessment: Assessment) -> tuple[list[str], list[str]]:
@@ -75,19 +75,18 @@ def in_three_sentences(assessment: Assessment) -> tuple[list[str], list[str]]:
     return every[:3], every[3:]
 
 
-def _leaning(results: Sequence[ItemResult]) -> list[str]:
-    """How many end leaning on what surrounds them, which is no fall and nothing good."""
+def _held_up(results: Sequence[ItemResult]) -> list[str]:
+    """How many end held up by what surrounds them alone, which is no fall and nothing good."""
     pieces = 0.0
     for each in results:
         held = each.as_it_stands and each.as_it_stands.surrounded
-        pieces += each.item.quantity * held.leans.value if held else 0.0
+        pieces += each.item.quantity * held.held_up.value if held else 0.0
     if pieces < LEAST_TOLD:
         return []
     return [
         tell(
-            "On average {pieces} more would end leaning on a wall or in a strap, or swinging in "
-            "it: they have not "
-            "fallen, and nobody should stand under them; class and order count them as fallen.",
+            "On average only a wall or a strap would hold up {pieces} more in the end: nobody "
+            "should stand under them, and class and order count them as fallen.",
             pieces=expected_count(pieces),
         )
     ]

@@ -123,7 +123,7 @@ def with_what(measure: Mitigation, result: ItemResult) -> str:
 
 def outcome(measure: Mitigation, result: ItemResult) -> str:
     """What it leaves, as "from 45 to 3 of 100 (0–12)"."""
-    left = result.after(measure)
+    left = measure.left
     low, high = limits_in_hundred(left)
     said = tell(
         "from {before} to {after} of 100 ({low}–{high})",
@@ -140,12 +140,12 @@ def outcome(measure: Mitigation, result: ItemResult) -> str:
             now=in_hundred(now),
             falls=in_hundred(falls),
         )
-    if not measure.leans.value or result.leans:
+    if not measure.held_up.value:
         return said
     return tell(
-        "{said}; in {often} of 100 it ends leaning or swinging, not fallen",
+        "{said}; in {often} of 100 only its wall or strap holds it up",
         said=said,
-        often=in_hundred(measure.leans.value),
+        often=in_hundred(measure.held_up.value),
     )
 
 

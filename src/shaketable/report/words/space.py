@@ -40,7 +40,7 @@ def what_happens(result: ItemResult) -> str:
         return ""
     parts = (
         _how_often(solid, result.item),
-        _leans(solid),
+        _held_up(solid),
         _which_way(solid),
         _spread(result, solid),
         _goes_far(result.item, solid),
@@ -68,15 +68,15 @@ def _beside(item: Item) -> str:
     return tell(", {where}", where=listed(told)) if told else ""
 
 
-def _leans(solid: SolidResult) -> str:
+def _held_up(solid: SolidResult) -> str:
     held = solid.surrounded
-    if held is None or not held.leans.value:
+    if held is None or not held.held_up.value:
         return ""
     return tell(
-        "In {often} of 100 ({likely}) it ends leaning on its wall or in its strap, or swings in it "
-        "still: that is no fall, and no place to stand under.",
-        often=in_hundred(held.leans.value),
-        likely=likely(held.leans),
+        "In {often} of 100 ({likely}) only its wall or strap holds it up in the end: that counts "
+        "as a fall, and is no place to stand under.",
+        often=in_hundred(held.held_up.value),
+        likely=likely(held.held_up),
     )
 
 

@@ -37,7 +37,7 @@ export function tablesOf(found) {
     parts.push(...table("room_places", ["room_place", "room_hit", "room_by", "room_people_hit"],
       found.places.map((each) => [each.name, share(each.hit) + each.at_friction, each.by, each.people ? number(each.people_hit) : "–"])));
   }
-  parts.push(...table("room_things", ["room_thing", "room_falls_head", "room_leans_head", "room_covers"],
-    found.things.map((each) => [each.name, share(each.falls) + each.at_friction, share(each.leans) + each.leaning_at_friction, number(each.covers_m2)])));
+  parts.push(...table("room_things", ["room_thing", "room_falls_head", "room_held_up_head", "room_covers"],
+    found.things.map((each) => [each.name, share(each.falls) + each.at_friction, share(each.held_up) + each.held_up_at_friction, number(each.covers_m2)])));
   return parts;
 }
