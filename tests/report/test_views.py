@@ -6,7 +6,6 @@ import html
 import io
 import math
 import re
-import shutil
 from dataclasses import replace
 from pathlib import Path
 
@@ -32,6 +31,7 @@ from shaketable.web import space
 from shaketable.web.lists import _assessed, _with_remarks
 from shaketable.web.questions import ManyInSpace, Upright
 from tests.support.builders import RUN
+from tests.support.printer import skip_without_printer
 
 
 @pytest.fixture(scope="module")
@@ -176,9 +176,9 @@ def test_a_page_is_signed_and_names_who_may_do_it(page: str, result: Assessment)
     assert "Not considered: " in page
 
 
-@pytest.mark.skipif(shutil.which("chromium") is None, reason="no browser that prints")
 def test_the_report_can_be_printed(result: Assessment, tmp_path: Path) -> None:
     """The first part on two pages at most, the annex on few more, for 19 kinds."""
+    skip_without_printer()
     (tmp_path / "report.html").write_text(render(result, RUN), encoding="utf-8")
     print_pdf(tmp_path / "report.html", tmp_path / "report.pdf")
     content = (tmp_path / "report.pdf").read_bytes()
