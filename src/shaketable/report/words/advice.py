@@ -27,7 +27,6 @@ from shaketable.report.words.numbers import (
     in_hundred,
     tilt_degrees,
     tilt_interval,
-    two_digits,
 )
 from shaketable.tilting import FEWEST_FALLS, SLIDES, TILTS, shim_height
 from shaketable.units import degrees
@@ -269,15 +268,12 @@ def _as_it_stands(result: ItemResult, solid: SolidResult) -> list[str]:
             *said,
             tell("Hold it better: by a second strap, with less slack, or higher up."),
         ]
-    newtons = mitigation.in_newtons(item, held.force.largest)
     return [
         *said,
         tell(
             "Keep it strapped: see that its strap, its hooks and what they are fastened to hold "
-            "{most} times its weight{newtons}, the largest force of these shakings. Hooks and "
-            "walls were taken as unbreakable{strap}.",
-            most=two_digits(held.force.largest),
-            newtons=f" ({newtons})" if newtons else "",
+            "{strong}. Hooks and walls were taken as unbreakable{strap}.",
+            strong=straps.strong(item, held.force),
             strap=straps.unbreakable(item),
         ),
     ]

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 from shaketable.assess import (
-    STRAP_SHARE,
     ItemResult,
     Mitigation,
     MitigationKind,
@@ -14,12 +12,10 @@ from shaketable.assess import (
 )
 from shaketable.inventory import BaseShape, Item
 from shaketable.language import number, tell, translated
-from shaketable.report.words.numbers import in_hundred, limits_in_hundred, two_digits
-from shaketable.units import STANDARD_GRAVITY
+from shaketable.report.words import straps
+from shaketable.report.words.numbers import in_hundred, limits_in_hundred
 
 STRAP, TETHER, LOCK, BASE, PAD, LOWER, WALL, TURN, MOVE, TILT = MitigationKind
-HUNDRED = 100.0  # kg: for which the stiffness of a strap is told
-HEAVY = 5_000.0  # N: a larger force on a wall is for an engineer
 
 #: In a few words, as they stand in a list of what to do first.
 SHORT = {
@@ -69,8 +65,8 @@ def who(measure: Mitigation, result: ItemResult, premises: Premises) -> str:
     """Who may do it."""
     if premises.itself:
         return translated(CONSERVATOR)
-    item, force = result.item, largest_force(measure, result)
-    if item.mass is not None and force * item.mass * STANDARD_GRAVITY > HEAVY:
+    asked = straps.to_hold(measure.kind, result)
+    if asked and straps.newtons_of(result.item, asked.high) > straps.FIXING:
         return translated(ENGINEER)
     return translated(WHO[measure.kind])
 
@@ -80,21 +76,12 @@ def by_anybody(measure: Mitigation) -> bool:
     return WHO[measure.kind] == ANYBODY
 
 
-def largest_force(measure: Mitigation, result: ItemResult) -> float:
-    """The largest force over the weight in any strap of its kind that was tried; 0 without."""
-    return max(
-        (each.force.largest for each in result.straps if each.force and each.kind is measure.kind),
-        default=0.0,
-    )
-
-
 def with_what(measure: Mitigation, result: ItemResult) -> str:
-    """What it takes, with its size; straps have to hold the largest force of all variants."""
+    """What it takes, with its size, and what straps have to hold."""
     about, item = measure.about, result.item
-    if measure.kind in (STRAP, TETHER) and measure.force:
-        largest = largest_force(measure, result)
-        strong = in_newtons(item, largest, up=True)
-        strong = strong or tell("{times} times its weight", times=two_digits(largest, up=True))
+    asked = straps.to_hold(measure.kind, result)
+    if asked:
+        strong = straps.strong(item, asked)
         if item.shape is BaseShape.CYLINDER:
             return tell("a chain for each, whose anchors hold {strong}", strong=strong)
         return tell("a strap for each, whose hooks and anchors hold {strong}", strong=strong)
@@ -108,7 +95,7 @@ def with_what(measure: Mitigation, result: ItemResult) -> str:
         )
     if measure.kind is PAD:
         holds = about["holds_weights"]
-        newtons = in_newtons(item, holds) or tell("{share:g} of its weight", share=holds)
+        newtons = straps.in_newtons(item, holds) or tell("{share:g} of its weight", share=holds)
         return tell("four pads that hold {newtons} each", newtons=newtons)
     if measure.kind is LOWER:
         height = about["cg_height_m"]
@@ -160,45 +147,7 @@ def sentence(measure: Mitigation, result: ItemResult, premises: Premises) -> str
     said = tell("{done}: {outcome}.", done=done, outcome=outcome(measure, result))
     if measure.force is None:
         return said
-    return f"{said} {force(measure, result)}"
-
-
-def force(measure: Mitigation, result: ItemResult) -> str:
-    """What the strap of a measure bears, for which stiffness and slack, and beside a wall."""
-    assert measure.force is not None
-    item = result.item
-    kind = [each for each in result.straps if each.kind is measure.kind]
-    alone = [each for each in kind if each.force and math.isnan(each.about["wall_gap_m"])]
-    beside = [each for each in kind if each.force and not math.isnan(each.about["wall_gap_m"])]
-    told = []
-    for some, where in ((alone, tell("without a wall behind it")), (beside, tell("beside a wall"))):
-        if some:
-            most = max(each.force.high for each in some if each.force)
-            newtons = in_newtons(item, most)
-            told.append(
-                tell(
-                    "{most} times its weight{newtons} {where}",
-                    most=two_digits(most),
-                    newtons=f" ({newtons})" if newtons else "",
-                    where=where,
-                )
-            )
-    stiff = [each.about["stiffness_per_mass"] * HUNDRED / 1e3 for each in kind]
-    slack = [1e3 * each.about["slack_m"] for each in kind]
-    return tell(
-        "In {often:g} of 100 shakings the strap bears at most {told} (stiffness {stiff} kN/m for "
-        "each {mass:g} kg, slack {slack} mm); hooks and walls were taken as unbreakable.",
-        often=100 * STRAP_SHARE,
-        told=tell(" and ").join(told),
-        stiff=_range(stiff),
-        mass=HUNDRED,
-        slack=_range(slack),
-    )
-
-
-def _range(values: Sequence[float]) -> str:
-    low, high = number(min(values), "g"), number(max(values), "g")
-    return low if low == high else tell("{low} to {high}", low=low, high=high)
+    return f"{said} {straps.borne(measure.kind, result)}"
 
 
 def of_no_help(result: ItemResult, premises: Premises) -> str:
@@ -215,16 +164,6 @@ def of_no_help(result: ItemResult, premises: Premises) -> str:
     if not named:
         return ""
     return tell("Tried without clear benefit: {names}.", names="; ".join(named))
-
-
-def in_newtons(item: Item, over_weight: float, up: bool = False) -> str:
-    """A force over the weight in newtons, rounded up if so asked; "" where no mass is known."""
-    if item.mass is None:
-        return ""
-    newtons = over_weight * item.mass * STANDARD_GRAVITY
-    if newtons >= 1e3:
-        return f"{two_digits(newtons / 1e3, up)} kN"
-    return f"{two_digits(newtons, up)} N"
 
 
 def metres(length: float) -> str:
