@@ -82,7 +82,7 @@ EXPECTED = {
     "fall_share_low": 0.25, "fall_share_high": 0.66,
     "governing_share": 0.46, "governing_share_low": 0.26, "governing_share_high": 0.67,
     "recordings": 20, "dimensions": 3, "simulations": 160, "falls": 72, "not_settled": 4,
-    "fall_share_at_friction_0.5": 0.36, "depth_known": True, "height_m": 1.8,
+    "fall_share_at_friction_0.5": 0.36, "stands_on": "", "depth_known": True, "height_m": 1.8,
     "cg_height_m": 0.7, "surroundings": "", "shape": "castors",
     "fall_share_least_turn": 0.43, "fall_share_most_turn": 0.47, "falls_share_forward": 0.4,
     "falls_share_backward": 0.3, "falls_share_left": 0.2, "falls_share_right": 0.1,

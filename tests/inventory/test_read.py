@@ -195,7 +195,7 @@ def test_limits_of_an_inventory(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     ("castors", "anchored", "shape", "found"),
     [
         ("libres", "no", "caja", (Castors.FREE, False, BaseShape.BOX)),
-        ("con freno", "Sin cadena", "patas", (Castors.LOCKED, False, BaseShape.FEET)),
+        ("con freno", "Sin cadena", "patas", (Castors.SOME, False, BaseShape.FEET)),
         ("sin ruedas", "Sí", "cilindro", (Castors.NONE, True, BaseShape.CYLINDER)),
         ("frei", "nein", "rechteckig", (Castors.FREE, False, BaseShape.BOX)),
         ("gebremst", "verankert", "Füße", (Castors.LOCKED, True, BaseShape.FEET)),
@@ -276,31 +276,137 @@ def test_a_column_that_may_say_castors_stops_the_classes(
 
 
 @pytest.mark.parametrize(
-    "note", ["on pedestal", "auf Tisch", "sobre mesón", "two pieces", "auf dem Labortisch"]
-)
-def test_what_stands_on_something_is_asked_for(
-    tmp_path: Path, caplog: pytest.LogCaptureFixture, note: str
+    ("note", "stands_on"),
+    [
+        ("auf Tisch", "auf Tisch"), ("sobre mesa", "sobre mesa"), ("two pieces", "two pieces"),
+        ("on unit 50 high", "on unit 50"), ("gestapelt", "gestapelt"), ("auf Stativ", "auf Stativ"),
+        ("auf Regal, oberstes Brett", "auf Regal"), ("sul carrello", "sul carrello"),
+        ("冷蔵庫の上", "冷蔵庫の上"), ("on a stand", "on a stand"), ("", ""), ("上に複合機", ""),
+    ],
+)  # fmt: skip
+def test_what_stands_on_something_is_said_to(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture, note: str, stands_on: str
 ) -> None:
-    text = f"name,depth_m,width_m,height_m,note\nvase,0.2,0.2,0.5,{note}\nbox,1,1,1,\n"
-    read_inventory(write(tmp_path, text))
-    assert "'vase' may stand on something else, or be stacked" in caplog.text
+    text = f'name,depth_m,width_m,height_m,note\nvase,0.2,0.2,0.5,"{note}"\nbox,1,1,1,\n'
+    vase, _ = read_inventory(write(tmp_path, text))
+    assert vase.stands_on == stands_on
+    assert ("'vase' stand on something else, or are stacked" in caplog.text) is bool(stands_on)
     assert "'box'" not in caplog.text
 
 
 @pytest.mark.parametrize(
-    ("location", "asked"),
-    [("laboratory shelf", True), ("Labortisch 3", True), ("repisa", True), ("shelf store", False),
-     ("table tennis room", False), ("ward", False)],
+    "note", ["on pedestal", "auf dem Labortisch", "sobre mesón", "on a fixed shelf", "実験台の上"]
+)
+def test_what_stands_on_something_fastened_counts_as_on_the_floor_and_is_asked(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture, note: str
+) -> None:
+    text = f"name,depth_m,width_m,height_m,note\nvase,0.2,0.2,0.5,{note}\nbox,1,1,1,\n"
+    assert [each.stands_on for each in read_inventory(write(tmp_path, text))] == ["", ""]
+    assert "'vase' stand on a bench, a plinth or a shelf, which is taken as fas" in caplog.text
+    assert "'box'" not in caplog.text
+
+
+@pytest.mark.parametrize(
+    ("location", "stands_on"),
+    [("laboratory shelf", True), ("Tisch 3", True), ("repisa", True), ("shelf store", False),
+     ("table tennis room", False), ("ward", False), ("fixed laboratory shelf", False)],
 )  # fmt: skip
-def test_a_location_that_is_furniture_is_asked_about(
-    tmp_path: Path, caplog: pytest.LogCaptureFixture, location: str, asked: bool
+def test_a_location_that_is_furniture_carries(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture, location: str, stands_on: bool
 ) -> None:
     text = f"name,depth_m,width_m,height_m,location\nvase,0.2,0.2,0.5,{location}\n"
-    read_inventory(write(tmp_path, text))
-    assert ("'vase' may stand on something else" in caplog.text) == asked
+    (vase,) = read_inventory(write(tmp_path, text))
+    assert vase.stands_on == (location if stands_on else "")
+    assert ("'vase' stand on something else" in caplog.text) is stands_on
 
 
-@pytest.mark.parametrize("header", ["Steht auf", "Apoyado en", "stands on", "Sockel"])
+@pytest.mark.parametrize(
+    ("name", "note", "anchored", "hangs"),
+    [
+        ("Notice board, hanging", "", "", True),
+        ("Sprossenwand", "fest an der Wand", "", True),
+        ("Beamer", "hängt an der Decke", "", True),
+        ("Hängeschrank", "", "", True),
+        ("Wall cupboard", "", "", True),
+        ("Televisor", "colgado en la pared", "", True),
+        ("Pensile", "", "", True),
+        ("書庫", "突っ張り棒", "", True),
+        ("サーバーラック", "アンカー", "", True),
+        ("Regal", "steht an der Wand", "", False),
+        ("Hanging file cabinet", "", "", False),
+        ("Bookcase", "floor to ceiling", "", False),
+        ("Schülerspinde", "nebeneinander, nicht verschraubt", "", False),
+        ("Wall cupboard", "", "no", False),  # a column that says it decides
+        ("Wall cupboard", "", "yes", False),  # then it is anchored
+    ],
+)
+def test_what_hangs_or_is_fixed_is_asked_about(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture,
+    name: str, note: str, anchored: str, hangs: bool,
+) -> None:  # fmt: skip
+    text = (
+        "name,depth_m,width_m,height_m,note,anchored\n"
+        f'"{name}",0.3,0.6,0.7,"{note}",{anchored}\nbox,1,1,1,,\n'
+    )
+    item, box = read_inventory(write(tmp_path, text))
+    assert (item.hangs, item.loose, box.loose) == (hangs, not hangs and anchored != "yes", True)
+    assert ("may hang, or be fixed to the building" in caplog.text) is hangs
+
+
+@pytest.mark.parametrize(
+    ("cell", "castors"),
+    [
+        ("yes", Castors.SOME), ("Y", Castors.SOME), ("lockable", Castors.SOME),
+        ("5 castors", Castors.SOME), ("yes, brakes", Castors.SOME), ("fahrbar", Castors.SOME),
+        ("Rollen mit Feststeller", Castors.SOME), ("キャスター付", Castors.SOME),
+        ("con ruedas", Castors.SOME), ("su ruote", Castors.SOME), ("no, on feet", Castors.NONE),
+        ("ohne Rollen", Castors.NONE), ("sí, sueltas", Castors.FREE),
+        ("yes, brakes on", Castors.LOCKED), ("yes - not locked", Castors.FREE),
+    ],
+)  # fmt: skip
+def test_cells_of_castors(tmp_path: Path, cell: str, castors: Castors) -> None:
+    text = f'name,depth_m,width_m,height_m,Wheels?\ncart,0.5,0.6,1.1,"{cell}"\n'
+    (item,) = read_inventory(write(tmp_path, text))
+    assert (item.castors, item.unread) == (castors, ())
+
+
+@pytest.mark.parametrize(
+    ("cell", "anchored"),
+    [
+        ("chain", True), ("screws", True), ("yes (4 bolts)", True), ("mit Ketten", True),
+        ("2 tornillos", True), ("con catena", True), ("チェーン", True), ("連結なし", False),
+        ("no, planned", False), ("chain missing", False), ("nicht verschraubt", False),
+        ("noch nicht", False),
+    ],
+)  # fmt: skip
+def test_cells_of_what_fixes_it(tmp_path: Path, cell: str, anchored: bool) -> None:
+    text = f'name,depth_m,width_m,height_m,Fixed?\nrack,0.5,0.6,1.9,"{cell}"\nbox,1,1,1,\n'
+    item, _ = read_inventory(write(tmp_path, text))
+    assert (item.anchored, item.unread) == (anchored, ())
+
+
+def test_a_cell_that_is_not_understood_is_asked_with_what_is_accepted(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    text = "name,depth_m,width_m,height_m,castors,anchored\ncart,0.5,0.6,1.1,maybe,?\nbox,1,1,1,,\n"
+    item, box = read_inventory(write(tmp_path, text))
+    assert (item.unread, box.unread) == (("castors", "anchored"), ())
+    assert "'maybe' cannot be read" in caplog.text
+    assert "none, free, locked, or yes if that is not known" in caplog.text
+
+
+def test_a_column_says_what_things_stand_on(tmp_path: Path) -> None:
+    """Floors and what is fastened are the floor; what the column says decides."""
+    text = (
+        "name,depth_m,width_m,height_m,Support,note\nvase,0.2,0.2,0.5,trolley,on a table\n"
+        "jar,0.2,0.2,0.5,floor,on a table\nbust,0.3,0.3,0.5,plinth,\nbox,1,1,1,,\n"
+    )
+    assert [each.stands_on for each in read_inventory(write(tmp_path, text))] == [
+        "trolley", "", "", "",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize("header", ["Apoyado en", "Sockel"])
 def test_a_column_of_what_things_stand_on_is_told(
     tmp_path: Path, caplog: pytest.LogCaptureFixture, header: str
 ) -> None:
@@ -384,7 +490,7 @@ def test_what_is_not_needed_and_cannot_be_read_is_left_out(
     assert [b.people_nearby, c.anchored] == [False, False]
     for said in (
         "line 2, mass_kg: 'ca. 350' cannot be read, and is left out", "line 4, mass_kg: 'approx.'",
-        "line 2, quantity: '?'", "line 3, castors: 'maybe' cannot be read: until it is mended",
+        "line 2, quantity: '?'", "line 3, castors: 'maybe' cannot be read, accepted: none, free",
         "line 3, people_nearby: 'perhaps'",
     ):  # fmt: skip
         assert said in caplog.text

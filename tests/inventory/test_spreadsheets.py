@@ -531,9 +531,9 @@ def test_one_name_in_several_rooms(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "note", "said"),
     [
-        ("shelf", "bolted to the wall", "may be anchored"),
-        ("Regal verschraubt", "", "may be anchored"),
-        ("Estante fijado al muro", "", "may be anchored"),
+        ("shelf", "bolted to the wall", "may hang, or be fixed"),
+        ("Regal verschraubt", "", "may hang, or be fixed"),
+        ("Estante fijado al muro", "", "may hang, or be fixed"),
         ("Oxygen cylinder", "", "may have to be kept from falling"),
         ("Wheelchair", "", "may stand on castors"),
         ("shelf", "not bolted", ""),

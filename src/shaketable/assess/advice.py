@@ -47,7 +47,7 @@ def with_advice(
     every = Shaken(known, lowest if lowest in known else "")
     chosen: dict[object, ItemResult] = {}
     for each in ranked([each for floor in floors for each in floor.results], weights):
-        if each.solid is not None and each.before.value > 0.0:
+        if each.solid is not None and each.before.value > 0.0 and not each.item.stands_on:
             chosen.setdefault(alike(each.item), each)
     some = list(chosen.values())[: None if kinds else leading]
     asked = [(at[each.number], every.asked(at[each.number], each, bool(kinds))) for each in some]

@@ -39,6 +39,7 @@ def as_simulated(item: Item) -> Item:
         blocks_exit=False,
         people_nearby=False,
         must_not_fall=False,
+        stands_on="",
         may_be_round=False,
         unread=(),
         assumed=(),

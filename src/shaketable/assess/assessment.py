@@ -91,7 +91,7 @@ class Assessment:
         castors: friction of what stands on castors.
         weights: what counts in the order of objects.
         premises: where they stand.
-        anchored: items that were not simulated.
+        anchored, hanging: items that were not simulated.
         tried: the buildings of which the worst leads for each object, in words.
     """
 
@@ -105,6 +105,7 @@ class Assessment:
     weights: Weights = field(default_factory=Weights)
     premises: Premises = field(default_factory=lambda: premises_of(None))
     anchored: Sequence[Item] = ()
+    hanging: Sequence[Item] = ()
     tried: Sequence[str] = ()
 
     @property

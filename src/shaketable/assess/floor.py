@@ -49,7 +49,8 @@ class Floor(NamedTuple):
         flat = plane * (2 * levels + len(FRICTIONS) + TILTS.size + BASE_GRID.size + FINER_BASES)
         flat += plane * MEMBERS if uncertainty else 0
         total = 0
-        for item in {as_simulated(item): item for item in items}.values():
+        every = [each for item in items for each in lock_states(item)]
+        for item in {as_simulated(item): item for item in every}.values():
             stood = self.space and self.space.stood(item)
             if not (self.space and stood):
                 total += int(flat)
@@ -64,8 +65,16 @@ class Floor(NamedTuple):
     def assessed(self, items: Sequence[Item], uncertainty: bool, done: Done) -> list[ItemResult]:
         """What becomes of items, some at a time, so that simulations of all need not be kept.
 
-        What moves alike is simulated once.
+        What moves alike is simulated once. Of castors that may be locked or free both are, and
+        the worse is the result.
         """
+        ways = [lock_states(item) for item in items]
+        found = iter(self._assessed([each for some in ways for each in some], uncertainty, done))
+        return [
+            max((next(found) for _ in some), key=lambda each: each.governing_share) for some in ways
+        ]
+
+    def _assessed(self, items: Sequence[Item], uncertainty: bool, done: Done) -> list[ItemResult]:
         kinds: dict[Item, Item] = {}
         for item in items:
             kinds.setdefault(as_simulated(item), item)
@@ -107,6 +116,14 @@ class Floor(NamedTuple):
             largest_pga=float(pga.max()),
             artificial=all(_is_artificial(motion) for motion in motions),
         )
+
+
+def lock_states(item: Item) -> list[Item]:
+    """An item, or where it is not known whether its castors are locked, both that it may be."""
+    if item.castors is not Castors.SOME:
+        return [item]
+    states = (Castors.FREE, Castors.LOCKED)
+    return [replace(item, castors=each, lock_known=False) for each in states]
 
 
 def _is_artificial(motion: Motion) -> bool:

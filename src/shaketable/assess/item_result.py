@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from shaketable.assess.carried import Kick
 from shaketable.assess.classes import (
     CLASSES,
     FEW_FALLS,
@@ -110,6 +111,7 @@ class ItemResult(ProfileResult):
         solid: the same in three dimensions, with its surroundings; None where its base or the
             second component of the motions is not known.
         mitigations: what becomes of it after something is done about it, in three dimensions.
+        kick: what the furniture does to it on which it stands, where the list has that.
     """
 
     number: int = 0
@@ -126,6 +128,7 @@ class ItemResult(ProfileResult):
     uncertain: UncertainResult | None = None
     solid: SolidResult | None = None
     mitigations: Sequence[Mitigation] = ()
+    kick: Kick | None = None
 
     @property
     def item(self) -> Item:
@@ -306,10 +309,12 @@ class ItemResult(ProfileResult):
         of castors, anchors or shapes is not understood; what a plane says too little of, and what
         may be round, is classed only where no class is worse. No good class is given where that may
         be too good: on castors, of unknown depth, where simulations ended in motion, and where some
-        of what surrounds it was not simulated.
+        of what surrounds it was not simulated. What stands on furniture has no class.
         """
         item = self.item
         if self.by < FEWEST_RECORDINGS or item.castors is Castors.UNKNOWN or item.unread:
+            return NOT_CLASSED
+        if item.stands_on:
             return NOT_CLASSED
         shares = [*self.shares, *self.walks_off]
         if self.solid is None and self.sliding:

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 from shaketable.assess.advice import with_advice
 from shaketable.assess.assessment import Assessment, Level, worst_of
+from shaketable.assess.carried import Kick, carrier_of, kick_of
 from shaketable.assess.castors import CastorFriction
 from shaketable.assess.floor import floor_of, model_in_space
 from shaketable.assess.mitigation import LEADING, Premises, kinds_of, premises_of
@@ -64,7 +65,7 @@ def assess(
 
     Args:
         items: the inventory; in a building each item has the label of its floor. Items that are
-            anchored are listed and not simulated.
+            anchored or hang are listed and not simulated.
         motions: such as `suite(name, pairs=True)` gives, of which those with one component are
             left out where enough have both; or a building with those of its floors, all of its
             variants, of which the worst leads for each object. The default suite if None.
@@ -123,11 +124,12 @@ def assess(
         items = [replace(item, must_not_fall=True) for item in items]
     model, castors = model_of(model), castors or CastorFriction()
     anchored = [item for item in items if item.anchored]
-    loose = {number: item for number, item in enumerate(items, 1) if not item.anchored}
+    hanging = [item for item in items if item.hangs and not item.anchored]
+    loose = {number: item for number, item in enumerate(items, 1) if item.loose}
     if not loose:
         raise InputError(
-            "every object is anchored: there is nothing to shake; leave 'anchored' empty for those "
-            "whose fall is to be simulated"
+            "every object is anchored or hangs: there is nothing to shake; write no in a column "
+            "'anchored' for those whose fall is to be simulated"
         )
     require_assessable(list(loose.values()), scale, tilt, model)
     rolling = [item.name for item in loose.values() if item.rolls]
@@ -182,7 +184,8 @@ def assess(
         for label, here, _ in places:
             results = shaken[label].assessed(list(here.values()), uncertainty, done)
             numbered = [
-                replace(result, number=number) for number, result in zip(here, results, strict=True)
+                replace(result, number=number, kick=_kick(result.item, items))
+                for number, result in zip(here, results, strict=True)
             ]
             found.append(shaken[label].as_found(label, numbered))
     seconds = (time.perf_counter() - begun) / max(1, total)
@@ -204,7 +207,14 @@ def assess(
         weights=weights,
         premises=where,
         anchored=anchored,
+        hanging=hanging,
     )
+
+
+def _kick(item: Item, items: Sequence[Item]) -> Kick | None:
+    """What the furniture does to an item on which it stands, where that is in the list."""
+    carrier = carrier_of(item, items) if item.stands_on else None
+    return kick_of(item, carrier) if carrier else None
 
 
 def require_assessable(
@@ -213,7 +223,7 @@ def require_assessable(
     """Raise what `assess` would, before any motion is read.
 
     Args:
-        items: none of them anchored.
+        items: those that are loose.
         scale, tilt, model: as for `assess`.
         in_space: whether they are assessed as solids, too.
 

@@ -61,6 +61,7 @@ def _row(result: ItemResult, weights: Weights) -> dict[str, Any]:
         "falls": decides.falls,
         "not_settled": decides.not_settled,
         **{f"fall_share_at_friction_{e.friction:g}": e.fall.value for e in decides.frictions},
+        "stands_on": item.stands_on,
         "depth_known": item.depth_known,
         "height_m": item.height,
         "cg_height_m": body.cg_height,

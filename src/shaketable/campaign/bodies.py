@@ -116,7 +116,7 @@ def _stands(
 
 
 def items_of(told: TomlFile) -> list[Item]:
-    """The objects of the inventory that are not anchored; none where no inventory is given."""
+    """The objects of the inventory that are loose; none where no inventory is given."""
     return [item for _, item in _numbered(told)]
 
 
@@ -127,7 +127,7 @@ def _numbered(told: TomlFile) -> list[tuple[int, Item]]:
         return []
     try:
         every = enumerate(read_inventory(told.path.parent / name), 1)
-        return [(number, item) for number, item in every if not item.anchored]
+        return [(number, item) for number, item in every if item.loose]
     except InputError as error:
         told.fault("bodies.inventory", str(error))
         return []

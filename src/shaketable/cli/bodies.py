@@ -60,9 +60,7 @@ def bodies_from(
         name = f"{width:g} × {height:g} m"
         return [Body.rectangle(width, height, eccentricity=eccentricity, name=name)]
     items = [
-        (number, item)
-        for number, item in enumerate(read_inventory(inventory), 1)
-        if not item.anchored
+        (number, item) for number, item in enumerate(read_inventory(inventory), 1) if item.loose
     ]
     rolling = sum(item.rolls for _, item in items)
     if rolling:
@@ -74,5 +72,5 @@ def bodies_from(
             named(held, MOST_NAMED),
         )
     if not items:
-        raise InputError(f"{inventory}: every object is anchored")
+        raise InputError(f"{inventory}: every object is anchored or hangs")
     return both_directions(items)

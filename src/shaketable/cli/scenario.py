@@ -129,7 +129,7 @@ def scenario(
         quake = read_shakemap(shakemap, assumed_sigma=map_sigma)
         choose = partial(_of_map, known.name, seed)
     items = located(read_inventory(inventory, **list_options.as_list))
-    if held := [item.name for item in items if item.surroundings and not item.anchored]:
+    if held := [item.name for item in items if item.surroundings and item.loose]:
         log.warning(
             "walls, straps, pads and edges of the list are not simulated here: %s stand alone, and "
             "their shares are of objects that nothing holds",

@@ -109,7 +109,7 @@ def shaken_places(
         InputError: a map, and an object without latitude and longitude; a site off the map, a
             measure that it does not have.
     """
-    standing = [item for item in items if not item.anchored]
+    standing = [item for item in items if item.loose]
     places = list(dict.fromkeys(place_of(item) for item in standing))
     if isinstance(quake, Scenario):
         mean, sigma = quake.of(measure)
@@ -210,7 +210,7 @@ def shaken_house(
             labels[place, floor] = label
     moved = []
     for item in items:
-        if item.anchored:
+        if not item.loose:
             moved.append(item)
             continue
         place = place_of(item)

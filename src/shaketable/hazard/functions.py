@@ -127,11 +127,11 @@ def functions_by_building(
     """
     groups: dict[str | None, list[tuple[int, Item]]] = {}
     for number, item in enumerate(items, 1):
-        if not item.anchored:
+        if item.loose:
             own = item.building if item.building in houses else None
             groups.setdefault(own, []).append((number, item))
     if not groups:
-        raise InputError("every object is anchored: nothing stands free")
+        raise InputError("every object is anchored or hangs: nothing stands free")
     found: list[ObjectFunction] = []
     for name, here in groups.items():
         shaking = motions if name is None else read_building(houses[name], motions)
@@ -168,9 +168,9 @@ def object_functions(
     Raises:
         InputError: as for `object_rates`.
     """
-    standing = [(number, item) for number, item in enumerate(items, 1) if not item.anchored]
+    standing = [(number, item) for number, item in enumerate(items, 1) if item.loose]
     if not standing:
-        raise InputError("every object is anchored: nothing stands free")
+        raise InputError("every object is anchored or hangs: nothing stands free")
     rolling = sum(item.rolls for _, item in standing)
     if rolling:
         log.warning("%d objects on castors are taken as if they did not roll", rolling)

@@ -25,7 +25,7 @@ LENGTHS = (
     "depth", "width", "diameter", "height", "cg_height", "gyration_radius", "support_length",
     "wall_gap", "edge", "lip", "x", "y", LENGTH, *LOSSES,
 )  # fmt: skip
-ONCE = ("name", "location", "note")  # of several such columns the first is used
+ONCE = ("name", "location", "note", "stands_on")  # of several such columns the first is used
 ZERO = ("wall_gap", "edge", "lip", "x", "y")  # may be none
 PLAN = ("x", "y")
 FORCES = ("strap_strength", "pad")

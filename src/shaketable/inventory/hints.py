@@ -13,13 +13,33 @@ from shaketable.inventory.vocabulary import hint, plain
 #: A denial, and at most three words up to what it denies.
 _DENIED = hint("denied", after=r"\b(\s+\w+){0,3}\s*$")
 _NONE = hint("none", before=r"\s*[:=]\s*")
+_MISSING = hint("missing", before=r"\s*[:=(,]?\s*")
 
 
-def _said(pattern: re.Pattern[str], text: str) -> bool:
-    """Whether a text has a pattern that is not denied before it, nor after it ("wheels: none")."""
+#: Words before what carries an object: "on the wall unit".
+_CARRIED = hint("carried", after=r"\s*$")
+
+
+def _said(pattern: re.Pattern[str], text: str, but: re.Pattern[str] | None = None) -> bool | None:
+    """Whether a text has a pattern that is not denied; None where it has none.
+
+    A denial stands before it, or after it ("wheels: none").
+
+    Args:
+        pattern: of words.
+        text: in which they are sought.
+        but: what must not stand before them.
+    """
+    found = [
+        each for each in pattern.finditer(text) if not (but and but.search(text[: each.start()]))
+    ]
+    if not found:
+        return None
     return any(
-        not _DENIED.search(text[: found.start()]) and not _NONE.match(text[found.end() :])
-        for found in pattern.finditer(text)
+        not _DENIED.search(text[: each.start()])
+        and not _NONE.match(text[each.end() :])
+        and not _MISSING.match(text[each.end() :])
+        for each in found
     )
 
 
@@ -27,7 +47,13 @@ _CASTORS = hint("castors")
 _ANCHORED = hint("anchored")
 _KEPT = hint("kept")
 _ROUND = hint("round")
+_HANGS = hint("hangs")
+_FIXING = hint("fixing", before="", after="")
+_LOCKS = hint("locks", before="", after="")
 _ON_TOP = hint("on_top")
+_ON_A_STAND = hint("on_stand")
+#: What is fastened to the building, or built in, and carries things.
+_FASTENED = hint("fastened")
 #: Of a location: furniture on which things stand.
 _FURNITURE = hint("furniture", after=r"\s*\d*\s*$")
 #: Of a header: what may be about castors, anchors or shapes.
@@ -47,6 +73,11 @@ def mentions_castors(*texts: str) -> bool:
     return any(_said(_CASTORS, text) for text in texts)
 
 
+def rolls_on(text: str) -> bool | None:
+    """Whether a cell of castors names them, or denies them; None where it does neither."""
+    return _said(_CASTORS, text)
+
+
 def mentions_anchors(*texts: str) -> bool:
     """Whether a text says that something is anchored."""
     return any(_said(_ANCHORED, text) for text in texts)
@@ -54,7 +85,7 @@ def mentions_anchors(*texts: str) -> bool:
 
 def mentions_round(name: str) -> bool:
     """Whether a name is that of something round."""
-    return _said(_ROUND, name)
+    return bool(_said(_ROUND, name))
 
 
 def must_be_kept(*texts: str) -> bool:
@@ -62,9 +93,37 @@ def must_be_kept(*texts: str) -> bool:
     return any(_KEPT.search(text) for text in texts)
 
 
-def mentions_what_it_stands_on(*texts: str) -> bool:
-    """Whether a text says that something stands on another thing, or is of several pieces."""
-    return any(_ON_TOP.search(text) for text in texts)
+def mentions_hanging(*texts: str) -> bool:
+    """Whether a text says that something hangs, or is fixed to a wall or a ceiling."""
+    return any(_said(_HANGS, text, but=_CARRIED) for text in texts)
+
+
+def fixed_by(text: str) -> bool | None:
+    """Whether a cell of what fixes an object names it (a chain, screws) or denies it, or None."""
+    said = _said(_FIXING, text), _said(_ANCHORED, text)
+    return None if said == (None, None) else any(said)
+
+
+def locks_of(text: str) -> bool | None:
+    """Whether a cell of castors says that they can be locked, or not; None without a word of it."""
+    return _said(_LOCKS, text)
+
+
+def what_it_stands_on(text: str) -> str:
+    """Which words say that something stands on another thing, or is stacked; "" if none do."""
+    found = _ON_TOP.search(text)
+    return found[0] if found else ""
+
+
+def on_a_stand(text: str) -> str:
+    """Which words say that something stands on a stand; "" if none do."""
+    found = _ON_A_STAND.search(text)
+    return found[0] if found else ""
+
+
+def is_fastened(text: str) -> bool:
+    """Whether a text names something that carries things and is fastened, such as a bench."""
+    return _FASTENED.search(text) is not None
 
 
 def is_furniture(location: str) -> bool:
@@ -97,5 +156,5 @@ def may_say_what_decides(header: str, values: Iterable[str], answers: Iterable[s
     told = [plain(value) for value in values if value.strip()]
     if is_about_what_decides(header):
         return True
-    like = sum(_said(_CASTORS, each) or _said(_ANCHORED, each) for each in told)
+    like = sum(bool(_said(_CASTORS, each) or _said(_ANCHORED, each)) for each in told)
     return bool(told) and (2 * like > len(told) or all(each in known for each in told))

@@ -17,6 +17,7 @@ class Castors(StrEnum):
     NONE = "none"
     FREE = "free"
     LOCKED = "locked"
+    SOME = "some"  # whether they are locked is not known
     UNKNOWN = "unknown"  # its name or note mentions castors, and the column castors is empty
 
 
@@ -79,6 +80,12 @@ class Item:
         people_nearby: whether people stay where it would fall.
         must_not_fall: whether it must not fall at all, whichever way.
         anchored: whether it is fixed to the building; then it is listed and not simulated.
+        hangs: whether its name, note or location says that it hangs or is fixed, and no column
+            says it; then it is asked about and not simulated.
+        stands_on: the furniture on which it stands, as its list says it; "" for the floor. It is
+            simulated as if it stood on the floor, and gets no class.
+        lock_known: whether it is known that its castors are locked, or free; if not, the worse of
+            both was taken.
         may_be_round: whether its name is that of something round and its shape is not said: then
             nothing good is said of it, as what is round falls more often.
         row: where it stands in its inventory, as messages about the file count: a line or a row;
@@ -116,6 +123,9 @@ class Item:
     people_nearby: bool = False
     must_not_fall: bool = False
     anchored: bool = False
+    hangs: bool = False
+    stands_on: str = ""
+    lock_known: bool = True
     may_be_round: bool = False
     row: int = 0
     unread: tuple[str, ...] = ()
@@ -138,5 +148,10 @@ class Item:
 
     @property
     def rolls(self) -> bool:
-        """Whether it is known to stand on castors, free or locked."""
-        return self.castors in (Castors.FREE, Castors.LOCKED)
+        """Whether it is known to stand on castors, free, locked or either."""
+        return self.castors in (Castors.FREE, Castors.LOCKED, Castors.SOME)
+
+    @property
+    def loose(self) -> bool:
+        """Whether it can move: it is neither anchored nor hangs, as far as its list says."""
+        return not (self.anchored or self.hangs)

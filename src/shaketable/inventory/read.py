@@ -10,12 +10,11 @@ from statistics import median
 
 from shaketable.errors import Fault, named, quoted, refusal, refused, remark
 from shaketable.inventory.building_sheet import building_said
+from shaketable.inventory.carriers import may_be_fastened
 from shaketable.inventory.columns import Column
 from shaketable.inventory.hints import (
-    is_furniture,
     may_say_what_it_stands_on,
     mentions_anchors,
-    mentions_what_it_stands_on,
     must_be_kept,
 )
 from shaketable.inventory.item import Castors, Item
@@ -274,12 +273,19 @@ def warn_of_hints(path: Path, items: Sequence[Item]) -> None:
         "simulated as if they had none, and get no class": [
             item.name for item in items if item.castors is Castors.UNKNOWN
         ],
-        "may be anchored. Say yes or no in a column 'anchored'; until then they are simulated as "
-        "if they were not": [
+        "may hang, or be fixed to the building: they are not simulated, and get no class. Say yes "
+        "or no in a column 'anchored'": [item.name for item in items if item.hangs],
+        "may be anchored, though the column 'anchored' says no: they are simulated as if they were "
+        "not": [
             item.name
             for item in items
-            if not (item.anchored or (item.surroundings and item.surroundings.straps))
+            if item.loose
+            and not (item.surroundings and item.surroundings.straps)
             and mentions_anchors(item.name, item.note)
+        ],
+        "stand on castors of which it is not known whether they are locked: the worse of both is "
+        "told. Say free or locked in a column 'castors'": [
+            item.name for item in items if item.castors is Castors.SOME
         ],
         "are anchored, and not simulated: their walls, straps, pads and edges are not used": [
             item.name for item in items if item.anchored and item.surroundings
@@ -288,16 +294,18 @@ def warn_of_hints(path: Path, items: Sequence[Item]) -> None:
         "'shape'; until then they are simulated as boxes, and get no class": [
             item.name for item in items if item.may_be_round
         ],
-        "may stand on something else, or be stacked. What it stands on is not simulated: it may "
-        "fall with it, and shakes it more strongly. Assess what stands on the floor, and hold what "
-        "stands on it": [
+        "stand on something else, or are stacked. What they stand on is not simulated: they may "
+        "fall with it, and it shakes them more strongly. They get no class. Assess what stands on "
+        "the floor, and hold what stands on it": [
+            item.name for item in items if item.stands_on and item.loose
+        ],
+        "stand on a bench, a plinth or a shelf, which is taken as fastened to the building. Name "
+        "what moves in a column 'stands on', such as shelf or trolley": [
             item.name
             for item in items
-            if not item.rolls
-            and (
-                mentions_what_it_stands_on(item.name, item.note, item.location)
-                or is_furniture(item.location)
-            )
+            if item.loose
+            and not (item.stands_on or item.rolls)
+            and may_be_fastened(item.name, item.note, item.location)
         ],
         "may have to be kept from falling. Say yes or no in a column 'must_not_fall'": [
             item.name

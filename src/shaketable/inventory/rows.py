@@ -9,7 +9,8 @@ from dataclasses import replace
 
 from shaketable.body import Body
 from shaketable.errors import Fault, quoted
-from shaketable.inventory.answers import CASTORS, YES_OR_NO
+from shaketable.inventory.answers import anchored_in, answer_in, castors_in
+from shaketable.inventory.carriers import hangs_or_is_fixed, what_it_stands_on
 from shaketable.inventory.columns import (
     ANSWERS,
     FORCES,
@@ -181,7 +182,10 @@ def item_of(
             )
             for meaning, message in wrong
         ], None
-    return [], replace(item, row=row[0].row, unread=unread)
+    said = (text.get("note", ""), text.get("location", ""), text.get("stands_on", ""))
+    asked = not (text.get("anchored") or (item.surroundings and item.surroundings.straps))
+    hangs = asked and hangs_or_is_fixed(item.name, *said)
+    return [], replace(item, row=row[0].row, unread=unread, hangs=hangs)
 
 
 def _without_what_is_not_read(
@@ -209,8 +213,10 @@ def _without_what_is_not_read(
         if meaning in DECIDING or meaning in SHAPING:
             deciding.append(column.cell.text)
             text = tell(
-                "{found} cannot be read: until it is mended the object gets no class",
+                "{found} cannot be read, accepted: {accepted}; until it is mended the object gets "
+                "no class",
                 found=quoted(cell.text),
+                accepted=_unknown_word(meaning, cell.text) or tell("a number"),
             )
         remarks.append(sheet.fault(cell, "left blank", text, column.cell.text))
         found[meaning] = (cell._replace(text=""), column)
@@ -242,10 +248,12 @@ def _place(
 def _unknown_word(meaning: str, text: str) -> str:
     """What is accepted in a cell of words, "" if its text is."""
     word = plain(text)
-    if meaning in ANSWERS and word not in YES_OR_NO:
+    if meaning == "anchored" and anchored_in(text) is None:
         return tell("yes or no")
-    if meaning == "castors" and word not in ("", *CASTORS):
-        return tell("none, free or locked")
+    if meaning in ANSWERS and meaning != "anchored" and answer_in(text) is None:
+        return tell("yes or no")
+    if meaning == "castors" and word and castors_in(text) is None:
+        return tell("none, free, locked, or yes if that is not known")
     if meaning == "wall_side" and word not in SIDES:
         return tell("back, front, left or right")
     if meaning == "shape" and word not in ("", *SHAPES):
@@ -259,7 +267,7 @@ def _critical(word: str) -> int | None:
     """0 to MOST_CRITICAL, of which "yes" is the largest and 1 a step; None for any other word."""
     if word.isdecimal() and word.isascii():
         return int(word) if int(word) <= MOST_CRITICAL else None
-    answer = YES_OR_NO.get(word)
+    answer = answer_in(word)
     return None if answer is None else MOST_CRITICAL * answer
 
 
@@ -436,11 +444,12 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: BaseShap
     base = width if depth is None else depth
     assert base is not None
     sideways = None if depth is None or width is None else _body(width, heights, text["name"])
-    castors = CASTORS.get(plain(text.get("castors", "")))
+    castors = castors_in(text["castors"]) if text.get("castors") else None
     if castors is None:
         told = mentions_castors(text["name"], text.get("note", ""))
         castors = Castors.UNKNOWN if told else Castors.NONE
-    answers = {name: YES_OR_NO[plain(text.get(name, ""))] for name in ANSWERS}
+    answers = {name: bool(answer_in(text.get(name, ""))) for name in ANSWERS}
+    answers["anchored"] = bool(anchored_in(text.get("anchored", "")))
     as_wide = depth is None or width is None or depth == width
     unsaid = not text.get("shape") and shape is BaseShape.BOX and not answers["anchored"]
     return Item(
@@ -471,7 +480,11 @@ def _item(numbers: Mapping[str, float], text: Mapping[str, str], shape: BaseShap
         people_nearby=answers["people_nearby"],
         must_not_fall=answers["must_not_fall"],
         anchored=answers["anchored"],
-    )
+        stands_on=what_it_stands_on(
+            text.get("stands_on", ""), text["name"], text.get("note", ""),
+            text.get("location", ""), numbers["height"],
+        ) if castors in (Castors.NONE, Castors.UNKNOWN) else "",
+    )  # fmt: skip
 
 
 def _body(base: float, numbers: Mapping[str, float], name: str) -> Body:

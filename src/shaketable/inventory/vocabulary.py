@@ -17,7 +17,7 @@ from importlib import resources
 ENGLISH = "en"
 #: Tables of words: of cells, names of sheets, and of the sheet that describes the building.
 VALUES = ("answers", "castors", "shapes", "sides", "sheets", "building", "structures")
-_GAPS = re.compile(r"[\s_.\-:]+")
+_GAPS = re.compile(r"[\s_.\-:?]+")
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from shaketable.language import number, tell
 from shaketable.report import figures
 from shaketable.report.first_part import where
 from shaketable.report.html import embedded_svg
-from shaketable.report.words import advice, answer, findings, hazard, headline, numbers
+from shaketable.report.words import advice, answer, carried, findings, hazard, headline
 
 MOST_CARDS = 120
 MOST_CURVES = 12
@@ -84,6 +84,7 @@ def _about(result: ItemResult, assessment: Assessment) -> str:
         )
     if item.rolls:
         parts.append(tell("castors locked") if item.castors == "locked" else tell("castors free"))
+        parts += [] if item.lock_known else [tell("whether they are locked is not known")]
     if item.must_not_fall:
         parts.append(tell("must not fall"))
     return " · ".join(parts)
@@ -97,7 +98,7 @@ def _also(worst: ItemResult, others: Sequence[ItemResult], assessment: Assessmen
         tell(
             "{where}: {often} of 100",
             where=where(each, assessment),
-            often=numbers.with_interval(each.governing_share),
+            often=carried.often(each),
         )
         for each in others
     ]

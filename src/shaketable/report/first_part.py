@@ -21,7 +21,7 @@ from shaketable.building import Building
 from shaketable.inventory import BaseShape
 from shaketable.language import tell
 from shaketable.report.sketches import sketch
-from shaketable.report.words import advice, findings, headline, mitigation, numbers
+from shaketable.report.words import advice, carried, findings, headline, mitigation, numbers
 
 MOST_LISTED = 90  # things room by room: more are in the annex and results.csv
 MOST_PLACES = 40
@@ -78,7 +78,7 @@ def _row(result: ItemResult, assessment: Assessment) -> Row:
     return Row(
         name=item.name,
         where=where(result, assessment),
-        share=result.governing_share,
+        share=_bar_of(result),
         risk=result.risk,
         told=_told(result),
         class_=findings.risk_in_words(result),
@@ -92,6 +92,12 @@ def _row(result: ItemResult, assessment: Assessment) -> Row:
         if best and follows
         else Markup(),
     )
+
+
+def _bar_of(result: ItemResult) -> Share:
+    """What the bar of an object shows: without an interval where it stands on furniture."""
+    share = result.governing_share
+    return share._replace(low=share.value, high=share.value) if result.item.stands_on else share
 
 
 def _instead(best: Mitigation, result: ItemResult, assessment: Assessment) -> str:
@@ -117,7 +123,10 @@ def where(result: ItemResult, assessment: Assessment) -> str:
 
 def _told(result: ItemResult) -> str:
     """The share in words: of falls, of what is held up alone too, or of going far."""
-    often = numbers.with_interval(result.governing_share)
+    often = carried.often(result)
+    if result.item.stands_on:
+        said = tell("as if it stood on the floor it falls in {often} of 100", often=often)
+        return f"{carried.first_sentence()} {said}"
     if result.governing_share == result.overturns:
         return tell("falls in {often} of 100", often=often)
     if result.item.rolls:
@@ -181,6 +190,6 @@ def _thing(result: ItemResult, assessment: Assessment, in_building: bool) -> Thi
     return Thing(
         name=f"{item.name}{room}",
         quantity=item.quantity,
-        share=numbers.with_interval(result.governing_share),
+        share=carried.often(result),
         measure=advice.first_measure(result, assessment.premises),
     )

@@ -26,6 +26,7 @@ from shaketable.inventory import Inventory
 from shaketable.language import listed, tell, translated
 from shaketable.report.words import headline
 from shaketable.report.words.advice import first_measure, safe_base
+from shaketable.report.words.carried import often
 from shaketable.report.words.numbers import (
     expected_count,
     in_hundred_short,
@@ -212,7 +213,7 @@ def _width(column: _Column, shown: list[ItemResult]) -> int:
 
 
 def _share(result: ItemResult) -> str:
-    return with_interval(result.governing_share)
+    return often(result)
 
 
 def _uncertain(result: ItemResult) -> str:
@@ -221,6 +222,8 @@ def _uncertain(result: ItemResult) -> str:
 
 def _risk(result: ItemResult) -> str:
     rolls = result.item.rolls and result.risk == NOT_CLASSED
+    if result.item.stands_on and result.risk == NOT_CLASSED:
+        return tell("on furniture")
     return tell("on castors") if rolls else translated(result.risk)
 
 

@@ -178,4 +178,8 @@ def require_sound(room: Room) -> None:
 def is_simulated(thing: Thing) -> bool:
     """Whether a thing is shaken; others are drawn, and nobody knows that they are safe."""
     item = thing.item
-    return not (thing.on or item.anchored) and solid_of(item, ROLLING_RESISTANCE) is not None
+    return (
+        item.loose
+        and not (thing.on or item.stands_on)
+        and solid_of(item, ROLLING_RESISTANCE) is not None
+    )

@@ -260,7 +260,9 @@ class Started(BaseModel):
 
 
 #: What the share of an object is of: beside falls, leaving its support, or rolling far.
-Counts = Literal["falls", "falls_or_leaves", "falls_or_held_up", "falls_or_goes_far"]
+Counts = Literal[
+    "falls", "falls_or_leaves", "falls_or_held_up", "falls_or_goes_far", "on_furniture"
+]
 
 
 class Ranked(BaseModel):

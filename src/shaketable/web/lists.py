@@ -19,7 +19,7 @@ from shaketable.inventory.mapping import SUFFIX
 from shaketable.language import LANGUAGES, Language, speaking, tell
 from shaketable.report.assessment_folder import write_results
 from shaketable.report.run_log import RunLog, sha256
-from shaketable.report.words import advice, answer, findings, headline
+from shaketable.report.words import advice, answer, carried, findings, headline
 from shaketable.report.words.numbers import in_hundred, limits_in_hundred
 from shaketable.signal.intensity import measure_named
 from shaketable.signal.scaling import by_measure
@@ -126,9 +126,10 @@ def _with_remarks(inventory: Inventory, result: Assessment) -> pd.DataFrame:
         else:
             share = one.governing_share
             low, high = limits_in_hundred(share)
+            alone = not one.item.stands_on
             remarks = [
-                in_hundred(share.value),
-                tell("{low} to {high}", low=low, high=high),
+                in_hundred(share.value) if alone else carried.often(one),
+                tell("{low} to {high}", low=low, high=high) if alone else "",
                 findings.risk_in_words(one),
                 advice.first_measure(one, result.premises),
             ]
@@ -195,6 +196,8 @@ def _ranked(result: ItemResult, assessment: Assessment) -> Ranked:
 
 def _counts(result: ItemResult) -> Counts:
     """What the share of an object is of."""
+    if result.item.stands_on:
+        return "on_furniture"
     falls = [result.overturns]
     if result.solid is None:
         falls.append(result.along_support.fall)

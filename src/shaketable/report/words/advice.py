@@ -20,7 +20,7 @@ from shaketable.assess import (
 )
 from shaketable.inventory import Castors, Item
 from shaketable.language import number, tell, translated
-from shaketable.report.words import mitigation, straps
+from shaketable.report.words import carried, mitigation, straps
 from shaketable.report.words.findings import SIDES
 from shaketable.report.words.numbers import (
     at_most,
@@ -52,6 +52,8 @@ def what_to_do(result: ItemResult, assessment: Assessment) -> list[str]:
         )
         kept = tell("It must not fall: anchor it, by a force that these motions do not tell.")
         return [f"{kept} {more}" if item.must_not_fall else more]
+    if item.stands_on:
+        return carried.what_to_do()
     sliding = result.along_support.sliding
     rim = [tell("Keep it on its support: a rim, a strap, a pad with more grip.")]
     rim = rim if sliding and sliding.walks_off > 0.0 else []
@@ -139,6 +141,8 @@ def _to_fill_in(result: ItemResult) -> str:
         return "use more recordings"
     if item.must_not_fall:
         return ""
+    if item.stands_on:
+        return "hold what it stands on, and it"
     if item.castors is Castors.UNKNOWN:
         return "fill in column castors"
     if item.may_be_round and result.risk == NOT_CLASSED:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from shaketable.assess import ItemResult
-from shaketable.language import tell
-from shaketable.report.words import findings, space
+from shaketable.language import tell, translated
+from shaketable.report.words import carried, findings, space
 from shaketable.report.words.assumed import what_is_assumed
 from shaketable.report.words.numbers import in_hundred, likely
 
@@ -16,11 +16,26 @@ def what_happens(result: ItemResult, sources: str = "recordings") -> list[str]:
         result: of an item.
         sources: what the independent motions are.
     """
+    if result.item.stands_on:
+        return [*carried.what_happens(result), *what_is_assumed(result.item)]
     if result.solid is None:
         said = findings.in_a_plane(result, sources)
     else:
         said = [findings.on_condition(result) + space.what_happens(result)]
-    return [*said, *what_is_assumed(result.item), *_like_it(result)]
+    return [*_locks(result), *said, *what_is_assumed(result.item), *_like_it(result)]
+
+
+def _locks(result: ItemResult) -> list[str]:
+    """That the worse of locked and free castors is told, where it is not known which it has."""
+    if result.item.lock_known:
+        return []
+    return [
+        tell(
+            "Whether its castors are locked is not known: both were simulated, and what follows is "
+            "the worse, {state} castors.",
+            state=translated(str(result.item.castors)),
+        )
+    ]
 
 
 def _like_it(result: ItemResult) -> list[str]:

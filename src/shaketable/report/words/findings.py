@@ -17,8 +17,9 @@ from shaketable.assess import (
     Sliding,
 )
 from shaketable.criteria.overturning import HOUSNER, ISHIYAMA, KNOWN, RULE, UNKNOWN
+from shaketable.errors import quoted
 from shaketable.inventory import Castors
-from shaketable.language import tell, translated
+from shaketable.language import listed, tell, translated
 from shaketable.report.words.numbers import (
     counted,
     distance,
@@ -65,6 +66,9 @@ def on_condition(result: ItemResult) -> str:
         return tell("If it stands on no castors: ")
     if result.item.may_be_round:
         return tell("If it is not round: ")
+    around = result.item.surroundings
+    if result.item.support_length is not None or (around is not None and around.edge):
+        return tell("If what carries it does not move: ")
     if result.item.surroundings is not None:
         return tell("Without what surrounds it, in a plane: ") if not result.solid else ""
     return ""
@@ -91,6 +95,13 @@ def unsettled(count: int, simulations: int) -> str:
 
 def risk_in_words(result: ItemResult) -> str:
     """The class of an object; of FEW_FALLS what was seen, and what cannot be excluded."""
+    if result.risk == NOT_CLASSED and result.item.stands_on:
+        return tell("stands on something that was not simulated, not classed")
+    if result.risk == NOT_CLASSED and result.item.unread:
+        return tell(
+            "not classed, because {columns} could not be read",
+            columns=listed([quoted(each) for each in result.item.unread]),
+        )
     if result.risk == NOT_CLASSED and result.item.rolls:
         return tell("on castors, not classed")
     if result.risk == NOT_CLASSED and result.item.may_be_round:

@@ -67,6 +67,7 @@ def chance(found: AnnualRate, years: float) -> str:
 def note(one: ObjectRate, hazard: Hazard) -> str:
     """What is weak about the rate of an object, "" if nothing is."""
     said = [translated(AS_IF_FIXED)] if one.item.rolls else []
+    said += [tell("as if it stood on the floor")] if one.item.stands_on else []
     if one.found.above > MUCH:
         beyond = tell(
             "{share:.0f} % of its falls are at shaking beyond the hazard curve",

@@ -18,7 +18,7 @@ from shaketable.assess import (
 )
 from shaketable.assess.uncertainty import KINDS
 from shaketable.errors import named, quoted
-from shaketable.inventory import Castors
+from shaketable.inventory import Castors, Item
 from shaketable.language import tell, translated
 from shaketable.models import General
 from shaketable.report.words import space
@@ -97,7 +97,9 @@ def not_as_it_stands(assessment: Assessment) -> list[str]:
     results = assessment.results
     sentences = _nothing_decided(assessment)
     unread = list(dict.fromkeys(name for each in results for name in each.item.unread))
-    if unread:
+    if unread and any(not each.item.unread for each in results):
+        sentences.append(_unread_cells(results, unread))
+    elif unread:
         sentences.append(
             tell(
                 "Nothing is classed: {columns} may say what stands on castors, what is anchored or "
@@ -106,6 +108,7 @@ def not_as_it_stands(assessment: Assessment) -> list[str]:
                 columns=named([quoted(each) for each in unread], MOST_NAMED),
             )
         )
+    sentences += _hanging(assessment.hanging)
     if not assessment.in_building and any(each.item.floor for each in results):
         sentences.append(
             tell(
@@ -133,6 +136,37 @@ def not_as_it_stands(assessment: Assessment) -> list[str]:
             )
         )
     return sentences
+
+
+def _unread_cells(results: Sequence[ItemResult], headers: Sequence[str]) -> str:
+    """How many kinds have no class because a cell was not read, and where these cells stand."""
+    rows = {
+        header: [f"{each.item.row}" for each in results if header in each.item.unread]
+        for header in headers
+    }
+    where = [
+        tell("{column}, row {rows}", column=quoted(header), rows=named(numbers, MOST_NAMED))
+        for header, numbers in rows.items()
+    ]
+    return tell(
+        "{some} of {kinds} have no class, because a cell could not be read: {where}.",
+        some=sum(bool(each.item.unread) for each in results),
+        kinds=counted(len(results), "kind of object"),
+        where="; ".join(where),
+    )
+
+
+def _hanging(items: Sequence[Item]) -> list[str]:
+    """What hangs or is fixed as names and notes say, which is asked about."""
+    if not items:
+        return []
+    return [
+        tell(
+            "Not simulated, as names or notes say that they hang or are fixed: {names}. Are they? "
+            "Say yes or no in a column “anchored”; what is not fixed is then simulated.",
+            names=named(list(dict.fromkeys(each.name for each in items)), MOST_NAMED),
+        )
+    ]
 
 
 def _who_overturns(results: Sequence[ItemResult], pieces: str) -> str:

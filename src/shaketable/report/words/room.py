@@ -120,10 +120,13 @@ def not_known(found: RoomAssessment) -> list[str]:
 
 def why_not(thing: Thing) -> str:
     """Why a thing is not simulated."""
-    if thing.on:
-        return tell("stands on {other}, which may itself rock", other=thing.on)
+    if thing.on or thing.item.stands_on:
+        other = thing.on or thing.item.stands_on
+        return tell("stands on {other}, which may itself rock", other=other)
     if thing.item.anchored:
         return tell("is anchored")
+    if thing.item.hangs:
+        return tell("hangs or is fixed, as its name or note says")
     return tell("its depth or width is not known")
 
 
