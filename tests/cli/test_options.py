@@ -101,6 +101,7 @@ TRIED = {
         "columns": Option("--columns map.toml", "results.csv"),
         "profile": Option("--profile museum", "report.html"),
         "try_": Option("--try lower", "results.csv", PAIRED),
+        "wall": Option("--wall yes", "results.csv", PAIRED),
         "advise": Option("--advise 1", "results.csv", PAIRED),
         "language": Option("--language de", "report.html"),
         "pdf": Option("--pdf", "report.pdf"),

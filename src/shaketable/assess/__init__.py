@@ -39,6 +39,7 @@ from shaketable.assess.results import (
 )
 from shaketable.assess.shares import Quartiles, Share, apart
 from shaketable.assess.straps import DAMPING, SLACKS, STIFFNESSES, STRAP_SHARE
+from shaketable.assess.walls import Walls
 
 __all__ = [
     "ACCEPTED_FALLS",
@@ -85,6 +86,7 @@ __all__ = [
     "SolidResult",
     "StrapForce",
     "SurroundedResult",
+    "Walls",
     "Weights",
     "alike",
     "apart",

@@ -12,6 +12,7 @@ from shaketable.assess.mitigation.premises import Premises, premises_of
 from shaketable.assess.ranking import Weights, ranked
 from shaketable.assess.results import ACCEPTED_FALLS
 from shaketable.assess.results_table import table_of
+from shaketable.assess.walls import Walls
 from shaketable.errors import require_positive
 from shaketable.inventory import Item
 from shaketable.models import Model
@@ -92,6 +93,9 @@ class Assessment:
         weights: what counts in the order of objects.
         premises: where they stand.
         anchored, hanging: items that were not simulated.
+        walls: whether things stand against a wall.
+        crustal: whether all motions are packaged ones, which are of shallow crustal earthquakes.
+        vertical: whether motions have a vertical component.
         tried: the buildings of which the worst leads for each object, in words.
     """
 
@@ -106,6 +110,9 @@ class Assessment:
     premises: Premises = field(default_factory=lambda: premises_of(None))
     anchored: Sequence[Item] = ()
     hanging: Sequence[Item] = ()
+    walls: Walls = Walls.UNKNOWN
+    crustal: bool = False
+    vertical: bool = True
     tried: Sequence[str] = ()
 
     @property

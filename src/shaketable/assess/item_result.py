@@ -154,6 +154,12 @@ class ItemResult(ProfileResult):
                 worst[each.kind] = each
         return sorted(worst.values(), key=self._order)
 
+    @property
+    def at_a_wall(self) -> Share | None:
+        """What is left of its share against a wall, where that was tried; None if it was not."""
+        found = [each.left for each in self.mitigations if each.kind is MitigationKind.WALL]
+        return max(found, default=None)
+
     def _order(self, each: Mitigation) -> tuple[Share, Share]:
         return each.left, each.held_up
 

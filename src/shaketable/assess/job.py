@@ -16,6 +16,7 @@ from shaketable.assess.mitigation import LEADING, Premises, kinds_of, premises_o
 from shaketable.assess.profiles import profiles_of
 from shaketable.assess.ranking import Weights
 from shaketable.assess.results import MitigationKind
+from shaketable.assess.walls import Walls, at_their_walls, walls_of
 from shaketable.building import Building
 from shaketable.compile_ahead import compile_ahead
 from shaketable.errors import InputError, joined, named, require_number
@@ -23,7 +24,7 @@ from shaketable.inventory import Item
 from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.progress import Progress, meter
-from shaketable.records import DEFAULT_SUITE, suite
+from shaketable.records import DEFAULT_SUITE, is_packaged, suite
 from shaketable.simulate import listed, require_stable
 from shaketable.simulate.shaking_set import require_scale
 from shaketable.support import Support
@@ -53,6 +54,7 @@ def assess(
     premises: Premises | str | None = None,
     mitigations: Sequence[MitigationKind | str] = (),
     leading: int = LEADING,
+    walls: Walls | str | None = None,
     progress: Progress = True,
 ) -> Assessment:
     """Simulate a list of objects: which overturn, slide or roll, and which measures help.
@@ -85,6 +87,10 @@ def assess(
         mitigations: kinds that are tried, with all their variants, on every kind of object that
             falls, where it falls most; if none, up to four on each of those that lead the order.
         leading: how many those are; 0 for none.
+        walls: whether most things stand against a wall: "yes" puts one 10 mm behind all that stand
+            on feet and have none, "no" none; "each" takes those that items give. If it is left out
+            things stand free, unless items give walls, and where a wall is tried as a measure its
+            share stands beside.
 
     Raises:
         InputError: no items or motions, values out of range, an item that falls by itself, or one
@@ -111,6 +117,7 @@ def assess(
                     premises=premises,
                     mitigations=mitigations,
                     leading=leading,
+                    walls=walls,
                     progress=progress,
                 )
                 for name, each in motions.variants.items()
@@ -120,6 +127,8 @@ def assess(
     require_control(control)
     where = premises_of(premises)
     kinds = kinds_of(mitigations)
+    answer = walls_of(walls, items)
+    items = at_their_walls(items, answer)
     if where.itself:
         items = [replace(item, must_not_fall=True) for item in items]
     model, castors = model_of(model), castors or CastorFriction()
@@ -208,7 +217,18 @@ def assess(
         premises=where,
         anchored=anchored,
         hanging=hanging,
+        walls=answer,
+        crustal=all(map(is_packaged, _motions_of(motions))),
+        vertical=any(each.vertical is not None for each in _motions_of(motions)),
     )
+
+
+def _motions_of(motions: Sequence[Motion] | Building) -> list[Motion]:
+    """Those of the ground, of a building whose motions are computed, or all of its floors'."""
+    if isinstance(motions, Building):
+        floors = [each for there in motions.floors.values() for each in there]
+        return list(motions.ground) if motions.computed else floors
+    return list(motions)
 
 
 def _kick(item: Item, items: Sequence[Item]) -> Kick | None:

@@ -35,8 +35,11 @@ from shaketable.tilting import CONTROL
 from shaketable.units import radians
 
 if TYPE_CHECKING:
-    from shaketable.assess import CastorFriction, MitigationKind, Premises, Weights
+    from collections.abc import Sequence
+
+    from shaketable.assess import CastorFriction, MitigationKind, Premises, Walls, Weights
     from shaketable.building import Building
+    from shaketable.inventory import Item
 
 log = logging.getLogger(__name__)
 
@@ -99,6 +102,14 @@ def assess(
         int,
         typer.Option(min=0, help="Number of kinds of object for which measures are simulated."),
     ] = LEADING,
+    wall: Annotated[
+        str | None,
+        typer.Option(
+            help="Whether most things stand against a wall: yes puts one 10 mm behind all that "
+            "stand on feet, no none, each takes those of the column wall_gap_mm. [free, with the "
+            "number against a wall beside it where that is tried]"
+        ),
+    ] = None,
     contact_options: ContactOptions,
     rolling_resistance: Annotated[
         float | None, typer.Option(help="Friction of objects whose castors are free. [0.02]")
@@ -190,6 +201,7 @@ def assess(
             raise InputError("--site: is for --hazard")
         path = inventory or example_inventory()
         table = read_with_columns(path, **list_options.as_list)
+        walls = _walls(wall, table.items)
         print_columns(path, table, Console(stderr=True))
         shaking = motion_options.load(() if building else (DEFAULT_SUITE,))
         still = [item for item in table.items if item.support_length and not item.rolls]
@@ -239,6 +251,7 @@ def assess(
             premises=where,
             mitigations=kinds,
             leading=advise,
+            walls=walls,
         )
         yearly = None
         if hazard is not None:
@@ -312,6 +325,15 @@ def _kinds(text: str | None) -> list[MitigationKind]:
         return kinds_of([part.strip().lower() for part in text.split(",")])
     except InputError as error:
         raise InputError(f"--try: {error}") from None
+
+
+def _walls(given: str | None, items: Sequence[Item]) -> Walls:
+    from shaketable.assess.walls import walls_of
+
+    try:
+        return walls_of(given and given.strip().lower(), items)
+    except InputError as error:
+        raise InputError(f"--wall: {error}") from None
 
 
 def _castors(rolling_resistance: float | None, locked_friction: float | None) -> CastorFriction:

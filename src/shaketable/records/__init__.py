@@ -19,13 +19,14 @@ from shaketable.records.component import Component
 from shaketable.records.motion_list import Suite
 from shaketable.records.motions import read_motion
 from shaketable.records.read import read_components
-from shaketable.records.suites import DEFAULT_SUITE, SUITES, suite
+from shaketable.records.suites import DEFAULT_SUITE, SUITES, is_packaged, suite
 
 __all__ = [
     "DEFAULT_SUITE",
     "SUITES",
     "Component",
     "Suite",
+    "is_packaged",
     "read_components",
     "read_motion",
     "suite",

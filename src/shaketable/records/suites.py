@@ -56,6 +56,13 @@ SUITES = {
 DEFAULT_SUITE = "fema-p695-both-directions"
 
 
+def is_packaged(motion: Motion) -> bool:
+    """Whether a motion is one that comes with the package: of a shallow crustal earthquake."""
+    files = {file for info in SUITES.values() for file in info.files}
+    origin = motion.origin
+    return origin is not None and not origin.sha256 and origin.file in files
+
+
 def suite(
     name: str | Path,
     *,

@@ -122,7 +122,20 @@ def where(result: ItemResult, assessment: Assessment) -> str:
 
 
 def _told(result: ItemResult) -> str:
-    """The share in words: of falls, of what is held up alone too, or of going far."""
+    """The share in words, and beside it that against a wall."""
+    return _of_shakings(result) + _at_a_wall(result)
+
+
+def _at_a_wall(result: ItemResult) -> str:
+    """The number against a wall beside that of an object that stands free, where it was tried."""
+    walled = result.at_a_wall
+    if walled is None or result.as_it_stands:
+        return ""
+    return tell("; {often} against a wall", often=numbers.in_hundred_short(walled.value))
+
+
+def _of_shakings(result: ItemResult) -> str:
+    """Of falls, of what is held up alone too, or of going far."""
     often = carried.often(result)
     if result.item.stands_on:
         said = tell("as if it stood on the floor it falls in {often} of 100", often=often)

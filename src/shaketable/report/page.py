@@ -87,6 +87,8 @@ def _rendered(
         quake=quake and quake.shown(),
         warnings=headline.not_as_it_stands(assessment),
         what=headline.what_falls(assessment),
+        assumed=headline.assumed(assessment),
+        assumed_in_short=headline.assumed_in_short(assessment),
         rows=rows,
         places=first_part.places(assessment, building),
         of_what=method.of_what(assessment),

@@ -164,6 +164,7 @@ def _columns(assessment: Assessment) -> list[_Column]:
     what += tell(", some in a plane alone") if flat and assessment.solids else ""
     found = [
         _Column(tell("in 100\nshakings"), "falls", what, _share, coloured=True),
+        _Column(tell("at a\nwall"), "at a wall", tell("at a wall: the same against one"), _walled),
         _Column(tell("objects\nuncertain"), "objects uncertain", tell(
                 "objects uncertain: the same for objects like it"), _uncertain),
         _Column(tell("risk"), "risk", "", _risk, "left", coloured=True),
@@ -182,6 +183,7 @@ def _columns(assessment: Assessment) -> list[_Column]:
     slides = any(each.sliding for each in flat)
     off = any(each.profile.support_length for each in assessment.results)
     unused = {
+        "at a wall": all(_walled(each) == "-" for each in assessment.results),
         "objects uncertain": not assessment.uncertain,
         "floor": not any(each.item.floor for each in assessment.results),
         "base": not flat,
@@ -214,6 +216,11 @@ def _width(column: _Column, shown: list[ItemResult]) -> int:
 
 def _share(result: ItemResult) -> str:
     return often(result)
+
+
+def _walled(result: ItemResult) -> str:
+    walled = result.at_a_wall
+    return "-" if walled is None or result.as_it_stands else in_hundred_short(walled.value)
 
 
 def _uncertain(result: ItemResult) -> str:

@@ -77,7 +77,12 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
             house = house and house.scaled_to(measure)
             motions = [motion.scaled(measure.factor(motion)) for motion in motions]
         result = assess(
-            items, house or motions, scale=scale, planar=asked.planar, progress=Watch(place)
+            items,
+            house or motions,
+            scale=scale,
+            planar=asked.planar,
+            walls=asked.wall,
+            progress=Watch(place),
         )
         during = log.messages[read:]
         notes = {}
@@ -159,7 +164,8 @@ def _command(asked: Assess) -> list[str]:
     sizes = ["--accept-sizes"] if asked.accept_sizes else []
     said = ["--columns", f"{asked.name}{SUFFIX}"] if asked.columns.strip() else []
     usual = ["--catalogue"] if asked.catalogue else []
-    which = ["--motions", asked.suite, *scale, *planar, *sizes, *said, *usual]
+    wall = ["--wall", asked.wall] if asked.wall else []
+    which = ["--motions", asked.suite, *scale, *planar, *wall, *sizes, *said, *usual]
     return ["shaketable", "assess", asked.name, *which]
 
 

@@ -270,6 +270,9 @@ class Assess(Question):
     )
     level: OfLevel | None = Field(None, description="of the ground, in place of as recorded")
     planar: bool = Field(False, description="leave three dimensions out, which is quicker")
+    wall: Literal["", "yes", "no", "each"] = Field(
+        "", description="whether most things stand against a wall; each: as the list says"
+    )
 
 
 class LookAtMotion(UnderMotion):

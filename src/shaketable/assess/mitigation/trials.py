@@ -17,6 +17,7 @@ from shaketable.assess.results import MitigationKind
 from shaketable.assess.solid_runs import Stood
 from shaketable.assess.solids import ShakingInSpace
 from shaketable.assess.straps import SLACKS, STIFFNESSES, asks_for_trial, in_strap
+from shaketable.assess.walls import WALL_GAP, beside_a_wall
 from shaketable.inventory import BaseShape, Castors, Item, solid_of
 from shaketable.spelled_surroundings import AWAY
 from shaketable.surroundings import Pad, Strap, Surroundings, Wall
@@ -24,7 +25,6 @@ from shaketable.units import STANDARD_GRAVITY, degrees, radians
 
 #: The strap that is tried first: the stiffer and the slacker one, which mostly bears most.
 STATED = (STIFFNESSES[-1], SLACKS[-1])
-WALL_GAP = 0.01  # m: between an object and a wall that it is pushed to, for its skirting board
 PAD_HOLDS = 0.25  # of the weight: what an adhesive foot holds against a pull, each of them
 LOWERED = 0.75  # times the height of the centre of gravity: heavy things at the bottom
 ABOVE = 1.1  # times that height: where a tether is fastened
@@ -81,9 +81,9 @@ def _strapped(asked: Asked, kind: MitigationKind, height: float) -> list[Trial]:
     beside: list[Surroundings | None] = [asked.stood.around]
     if not _walls(asked.stood):
         if asked.item.rolls:
-            beside = [_to_a_wall(asked.stood, AWAY)]
+            beside = [beside_a_wall(asked.stood.around, AWAY)]
         else:
-            beside.append(_to_a_wall(asked.stood))
+            beside.append(beside_a_wall(asked.stood.around))
     found = []
     variants = product(STIFFNESSES, SLACKS) if asked.wholly else [STATED]
     for (stiffness, slack), around in product(variants, beside):
@@ -162,7 +162,7 @@ def wall(asked: Asked) -> list[Trial]:
     item = asked.item
     if _walls(asked.stood) or item.rolls or item.shape is BaseShape.CYLINDER:
         return []
-    around = _to_a_wall(asked.stood)
+    around = beside_a_wall(asked.stood.around)
     return [
         Trial(MitigationKind.WALL, {"wall_gap_m": WALL_GAP}, asked.stood._replace(around=around))
     ]
@@ -193,7 +193,7 @@ def tilt(asked: Asked) -> list[Trial]:
     angle = proposed if 0.0 < proposed < math.inf else USUAL_TILT
     if angle >= 0.9 * math.atan2(item.body.right, item.body.cg_height):
         return []
-    around = stood.around if _walls(stood) else _to_a_wall(stood)
+    around = stood.around if _walls(stood) else beside_a_wall(stood.around)
     if around is None or any(each.azimuth != 0.0 for each in around.walls):
         return []  # its wall does not stand behind it
     about = {"tilt_deg": degrees(angle), "wall_gap_m": around.walls[0].gap}
@@ -231,9 +231,3 @@ def _of_one_kilogram(straps: Sequence[Strap], mass: float) -> tuple[Strap, ...]:
 
 def _walls(stood: Stood) -> Sequence[Wall]:
     return stood.around.walls if stood.around else ()
-
-
-def _to_a_wall(stood: Stood, gap: float = WALL_GAP) -> Surroundings:
-    """What surrounds it once it is pushed back to a wall."""
-    around = stood.around or Surroundings()
-    return replace(around, walls=(Wall(azimuth=0.0, gap=gap),))

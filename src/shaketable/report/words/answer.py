@@ -17,12 +17,26 @@ def what_happens(result: ItemResult, sources: str = "recordings") -> list[str]:
         sources: what the independent motions are.
     """
     if result.item.stands_on:
-        return [*carried.what_happens(result), *what_is_assumed(result.item)]
+        said = carried.what_happens(result)
+        return [*said, *what_is_assumed(result.item), *_works_on(result)]
     if result.solid is None:
         said = findings.in_a_plane(result, sources)
     else:
         said = [findings.on_condition(result) + space.what_happens(result)]
-    return [*_locks(result), *said, *what_is_assumed(result.item), *_like_it(result)]
+    return [
+        *_locks(result),
+        *said,
+        *what_is_assumed(result.item),
+        *_like_it(result),
+        *_works_on(result),
+    ]
+
+
+def _works_on(result: ItemResult) -> list[str]:
+    """That of what has to work afterwards only falls are known."""
+    if not result.item.critical:
+        return []
+    return [tell("Not considered: whether it works afterwards.")]
 
 
 def _locks(result: ItemResult) -> list[str]:

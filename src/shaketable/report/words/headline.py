@@ -14,6 +14,7 @@ from shaketable.assess import (
     FloorAssessment,
     ItemResult,
     Share,
+    Walls,
     fate_of,
 )
 from shaketable.assess.uncertainty import KINDS
@@ -42,7 +43,45 @@ LEAST_TOLD = 0.05  # pieces: fewer are told as 0.0
 
 def headline(assessment: Assessment) -> list[str]:
     """What happens, in a few sentences; what decides nothing says so first."""
-    return [*not_as_it_stands(assessment), *what_falls(assessment)]
+    return [*not_as_it_stands(assessment), *what_falls(assessment), *assumed(assessment)]
+
+
+def assumed_in_short(assessment: Assessment) -> list[str]:
+    """The same in a few words, for the first line."""
+    walls = {
+        Walls.YES: tell("at a wall"),
+        Walls.EACH: tell("walls as listed"),
+        Walls.NO: tell("free of walls"),
+        Walls.UNKNOWN: tell("free of walls"),
+    }
+    found = [walls[assessment.walls]] if assessment.solids else []
+    return [*found, tell("shallow crustal earthquakes")] if assessment.crustal else found
+
+
+def assumed(assessment: Assessment) -> list[str]:
+    """What was taken for granted of walls and of earthquakes, and how to say otherwise."""
+    walls = {
+        Walls.YES: tell(
+            "As was said, most things stand against a wall: one is taken 10 mm behind each that "
+            "stands on feet."
+        ),
+        Walls.NO: tell("As was said, most things stand free of walls."),
+        Walls.EACH: tell("Walls stand where the list says so, and nowhere else."),
+        Walls.UNKNOWN: tell(
+            "Do most things stand against a wall? Nobody said so: the numbers are of things that "
+            "stand free, and where a wall was tried the number against a wall is told beside."
+        ),
+    }
+    found = [walls[assessment.walls]] if assessment.solids else []
+    if assessment.crustal:
+        found.append(
+            tell(
+                "All these recordings are of shallow crustal earthquakes. Are large subduction "
+                "earthquakes expected (Chile, Japan, Cascadia)? They last longer: give a folder of "
+                "their records (--motions)."
+            )
+        )
+    return found
 
 
 def what_falls(assessment: Assessment) -> list[str]:

@@ -189,6 +189,12 @@ function level() {
   return chosen ? { measure: chosen.measure, value: chosen.value, said: find("level").selectedOptions[0].text } : null;
 }
 
+// The factor on the strength; a level of the site takes its place.
+function strength() {
+  const value = numberIn(find("scale").value);
+  return level() || !(value > 0) ? 1 : value;
+}
+
 function building() {
   const structure = find("structure").value;
   if (!structure) return null;
@@ -225,7 +231,8 @@ async function run() {
     const name = `${view.name.replace(/\.[^.]*$/, "").slice(0, 100)}.csv`;
     const { id } = await begin({
       name, text, columns, suite: SUITE, planar: find("planar").checked, accept_sizes: find("sizes").checked,
-      catalogue: find("catalogue").checked, building: building(), level: level(),
+      catalogue: find("catalogue").checked, building: building(), level: level(), scale: strength(),
+      wall: find("wall").value,
     });
     if (mine === asked) follow(id);
     else stop(id).catch(() => {});

@@ -40,7 +40,7 @@ export function besideOf(state) {
 }
 
 export function begin() {
-  const state = { shape: "side", kind: "recording", name: "", reverse: false, slides: true, uploaded: null, unusable: false };
+  const state = { shape: "box", kind: "recording", name: "", reverse: false, slides: false, uploaded: null, unusable: false };
   for (const [name, field] of Object.entries(FIELDS)) state[name] = field.given;
   const told = new URLSearchParams(location.hash.slice(1));
   for (const [name, field] of Object.entries(FIELDS)) {
@@ -53,21 +53,21 @@ export function begin() {
   if (["recording", "pulse"].includes(told.get("kind"))) state.kind = told.get("kind");
   state.name = (told.get("name") ?? "").slice(0, 120);
   state.reverse = told.get("reverse") === "1";
-  state.slides = told.get("slides") !== "0";
+  state.slides = told.get("slides") === "1";
   for (const what of Object.keys(BESIDE)) state[what] = told.get(what) === "1";
   return state;
 }
 
 export function keep(state) {
   const told = new URLSearchParams();
-  if (state.shape !== "side") told.set("shape", state.shape);
+  if (state.shape !== "box") told.set("shape", state.shape);
   for (const [name, field] of Object.entries(FIELDS)) {
     if (state[name] !== field.given) told.set(name, state[name]);
   }
   if (state.kind === "pulse") told.set("kind", "pulse");
   if (state.kind === "recording" && state.name) told.set("name", state.name);
   if (state.reverse) told.set("reverse", "1");
-  if (!state.slides) told.set("slides", "0");
+  if (state.slides) told.set("slides", "1");
   for (const what of Object.keys(BESIDE)) if (state[what]) told.set(what, "1");
   history.replaceState(null, "", `${location.pathname}${location.search}#${told}`);
 }
