@@ -342,3 +342,21 @@ def test_the_table_tells_what_holds_and_what_was_tried(result: Assessment) -> No
     assert row["try_strap_2000_20mm_force_90_percent_over_weight"] == trial.force.high
     assert math.isnan(table.loc["alone", "held_up_share"])
     assert math.isnan(table.loc["at a wall", "strap_broke_share"])
+
+
+def test_what_touches_its_wall_stands_at_several_small_gaps(pairs: list[Motion]) -> None:
+    """Of a list with a gap of 0: in four turns 0.625 to 4.375 mm, as an impact at 0 is singular."""
+    item = replace(shelf("touching", Surroundings(walls=(replace(WALL, gap=0.0),))), facing=None)
+    (found,) = assess([item], pairs[:3], model=MODEL, leading=0, progress=False).results
+    assert found.solid is not None
+    box = solid_of(item, 0.0)
+    assert box is not None
+    falls = 0
+    for k, turn in enumerate(np.arange(4) * math.pi / 4):
+        around = Surroundings(walls=(replace(WALL, gap=0.005 * (k + 0.5) / 4),))
+        runs = simulate_many(
+            [box], pairs[:3], orientations=[turn], model=MODEL, progress=False,
+            surroundings=around.turned(float(turn)),
+        )  # fmt: skip
+        falls += int((runs.outcome != Outcome.STANDING).sum())
+    assert found.solid.falls == falls > 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -32,6 +33,7 @@ from shaketable.surroundings import Surroundings
 from shaketable.tilting import TURNS
 from shaketable.units import STANDARD_GRAVITY
 
+TOUCHING = 0.005  # m: what is said to touch its wall stands so far from it at the most
 ORIENTATION = 2  # among the numbers of a run that `stands_of` gives
 Ways = NDArray[np.float64]  # turns [rad], (motion, polarity, turn)
 
@@ -257,14 +259,27 @@ def _stands(stood: Stood, turns: NDArray[np.float64], scale: float) -> NDArray[n
 def _together(
     stood: Stood, stands: NDArray[np.float64]
 ) -> list[tuple[NDArray[np.intp], Surroundings | None]]:
-    """The numbers of the runs with the same surroundings, which turn with an object, and these."""
+    """The numbers of the runs with the same surroundings, which turn with an object, and these.
+
+    Nothing stands at no distance at all from its wall, where an impact of the whole back is
+    singular: of an object that is said to touch it the gap is another one in each turn, spread
+    evenly over TOUCHING.
+    """
     if not stood.around:
         return [(np.arange(len(stands)), None)]
     turns, which = np.unique(stands[:, ORIENTATION], return_inverse=True)
     return [
-        (np.flatnonzero(which == k), stood.around.turned(turn))
+        (np.flatnonzero(which == k), _apart(stood.around, (k + 0.5) / turns.size).turned(turn))
         for k, turn in enumerate(turns.tolist())
     ]
+
+
+def _apart(around: Surroundings, part: float) -> Surroundings:
+    """Surroundings whose walls are off by a part of TOUCHING where they are said to be touched."""
+    walls = tuple(
+        replace(wall, gap=part * TOUCHING) if wall.gap == 0.0 else wall for wall in around.walls
+    )
+    return replace(around, walls=walls)
 
 
 def _runs_of(stood: Stood, ways: Ways, runs: Mapping[str, NDArray[Any]]) -> SolidRuns:

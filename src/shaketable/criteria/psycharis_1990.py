@@ -7,7 +7,10 @@ that sets in on a level support. Indices 1 and 2 are the lower and the upper; b 
 sizes (b₂ at most b₁), i² and j² their squared radii of gyration, y₂ = 2 h₁ + h₂.
 
     upper alone   A > g b₂/h₂
-    whole         A > g M_b/M_h,  M_b = (m₁ + m₂) b₁,  M_h = m₁ h₁ + m₂ y₂
+    whole         A > g M_b/M_h,  M_b = (m₁ + m₂) b₁,  M_h = m₁ h₁ + m₂ y₂,  if the upper would not
+                  rock alone; where it does, with τ₂ = (A h₂ - g b₂)/(j² + b₂² + h₂²), its base
+                  pushes the lower less, and the lower begins later, where
+                  m₁ A h₁ + m₂ (A - τ₂ h₂) 2h₁ > m₁ g b₁ + m₂ (g + τ₂ b₂) (b₁ - b₂)
 
 As the whole turns with τ = (A M_h - g M_b)/I₀, I₀ = m₁ (i² + b₁² + h₁²) + m₂ (j² + b₁² + y₂²), the
 upper is lifted, too,
@@ -15,8 +18,8 @@ upper is lifted, too,
     the same way  (A - τ y₂) h₂ - (g + τ b₁) b₂ - j² τ > 0
     against it    -(A - τ y₂) h₂ + j² τ - (g + τ b₁) b₂ > 0
 
-More is not always worse: above the border of the whole an upper that would rock alone may stand
-still on it again. How a stack moves on is not simulated.
+More is not always worse: once the lower turns an upper that would rock alone may stand still on it
+again. How a stack moves on is not simulated.
 """
 
 from __future__ import annotations
@@ -51,6 +54,27 @@ class _Stack(NamedTuple):
     moment_b: float  # M_b [kg m]
     moment_h: float  # M_h [kg m]
     inertia: float  # I₀ [kg m²]
+    m1: float
+    m2: float
+    top: float  # 2 h₁ [m]
+    lower_moment: float  # m₁ h₁ [kg m]
+
+    @property
+    def upper_alone(self) -> float:
+        """From which acceleration on the upper would rock alone [m/s²]."""
+        return STANDARD_GRAVITY * self.b2 / self.h2
+
+    @property
+    def lower_begins(self) -> float:
+        """From which acceleration on the lower turns [m/s²]; infinite if it never does."""
+        g, whole = STANDARD_GRAVITY, STANDARD_GRAVITY * self.moment_b / self.moment_h
+        if whole <= self.upper_alone:
+            return whole
+        squared = self.j2 + self.b2**2 + self.h2**2
+        relief = self.m2 * (self.h2 * self.top + self.b2 * (self.b1 - self.b2)) / squared
+        pushes = self.lower_moment + self.m2 * self.top - relief * self.h2
+        holds = g * (self.m1 * self.b1 + self.m2 * (self.b1 - self.b2) - relief * self.b2)
+        return holds / pushes if pushes > 0.0 else math.inf
 
 
 def stack_mode(lower: Body, upper: Body, acceleration: float) -> StackMode:
@@ -65,8 +89,8 @@ def stack_mode(lower: Body, upper: Body, acceleration: float) -> StackMode:
     """
     require_not_negative("acceleration [m/s²]", acceleration)
     stack, g = _stack_of(lower, upper), STANDARD_GRAVITY
-    if not acceleration > g * stack.moment_b / stack.moment_h:
-        return StackMode.UPPER if acceleration > g * stack.b2 / stack.h2 else StackMode.REST
+    if not acceleration > stack.lower_begins:
+        return StackMode.UPPER if acceleration > stack.upper_alone else StackMode.REST
     turn = (acceleration * stack.moment_h - g * stack.moment_b) / stack.inertia
     pushes = (acceleration - turn * stack.y2) * stack.h2
     holds = (g + turn * stack.b1) * stack.b2
@@ -82,7 +106,7 @@ def stack_borders(lower: Body, upper: Body) -> list[tuple[StackMode, float]]:
         InputError: as for `stack_mode`.
     """
     stack, g = _stack_of(lower, upper), STANDARD_GRAVITY
-    at = {g * stack.b2 / stack.h2, g * stack.moment_b / stack.moment_h}
+    at = {each for each in (stack.upper_alone, stack.lower_begins) if math.isfinite(each)}
     lever, per_turn = stack.y2 * stack.h2 + stack.j2, stack.moment_h / stack.inertia
     rest = g * stack.moment_b / stack.inertia
     for sign in (1.0, -1.0):  # where what lifts the upper, the same way or against, is none
@@ -113,4 +137,6 @@ def _stack_of(lower: Body, upper: Body) -> _Stack:
     y2 = lower.whole_height + h2
     i2, j2 = lower.gyration_radius**2, upper.gyration_radius**2
     inertia = m1 * (i2 + b1**2 + h1**2) + m2 * (j2 + b1**2 + y2**2)
-    return _Stack(b1, b2, h2, y2, j2, (m1 + m2) * b1, m1 * h1 + m2 * y2, inertia)
+    return _Stack(
+        b1, b2, h2, y2, j2, (m1 + m2) * b1, m1 * h1 + m2 * y2, inertia, m1, m2, y2 - h2, m1 * h1
+    )

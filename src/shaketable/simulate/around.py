@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
 from typing import Any
 
@@ -9,11 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError
-from shaketable.models.model import Held
+from shaketable.models.model import Held, Model
 from shaketable.simulate.result_fields import Part
 from shaketable.solid import Solid
 from shaketable.surroundings import Surroundings
 
+log = logging.getLogger(__name__)
+
+MOST_AT_NO_GAP = 0.3  # restitution of a wall that a body touches: from more on falls jump at gap 0
 Around = Surroundings | Sequence[Surroundings | None] | None  # of all, or of each
 
 
@@ -30,6 +34,20 @@ def listed_surroundings(surroundings: Around) -> list[Surroundings | None]:
             raise InputError(f"surroundings= must be Surroundings(...), got {each!r:.100}")
         around.append(each)
     return around
+
+
+def warn_of_walls(around: Sequence[Surroundings | None], model: Model) -> None:
+    """Log that a wall at gap 0 that gives back much of the speed is singular."""
+    walls = {wall for each in around if each for wall in each.walls if wall.gap == 0.0}
+    back = [w.restitution for w in walls if isinstance(w.restitution, float)]
+    if model.slides and max(back, default=0.0) > MOST_AT_NO_GAP:
+        log.warning(
+            "a wall at gap 0 with a restitution of %g is singular: the whole back strikes it at "
+            "once, and the share of falls is not that of any small gap (11 of 44 at gap 0, 1 or 2 "
+            "of 44 from 1 µm to 5 mm, of a bookcase at 0.7). Give it a gap of some millimetres, or "
+            "average over gaps of 0 to 5 mm",
+            max(back),
+        )
 
 
 def columns_of(surroundings: Surroundings | None) -> int:

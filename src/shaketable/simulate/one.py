@@ -16,10 +16,11 @@ from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome, downhill_sign
 from shaketable.response import PlanarResponse, Response
-from shaketable.simulate.around import held_by, listed_surroundings
+from shaketable.simulate.around import held_by, listed_surroundings, warn_of_walls
 from shaketable.simulate.checks import require_kind, require_stable, warn
 from shaketable.simulate.kinds import kind_of
 from shaketable.simulate.one_solid import simulate_solid
+from shaketable.simulate.space_input import model_for_solids
 from shaketable.solid import Solid
 from shaketable.solid_response import SolidResponse
 from shaketable.support import Support
@@ -92,7 +93,7 @@ def simulate(
     if not isinstance(support, Support):
         raise InputError(f"support must be a Support, such as Support(tilt=0.05); got {support!r}")
     if isinstance(body, Solid):
-        listed_surroundings([surroundings])
+        warn_of_walls(listed_surroundings([surroundings]), model_for_solids(model))
         if initial_rotation != 0.0:
             raise InputError("initial_rotation is of a planar Body; a Solid begins on its base")
         return simulate_solid(
@@ -111,6 +112,7 @@ def simulate(
         )
     kind_of(body).require_surroundings([body], around, model, np.array([support.tilt]))
     warn(model, [support.tilt], [motion])
+    warn_of_walls(around, model)
     run = model.run_one(body, support.tilt, motion, float(initial_rotation), around[0])
     if run.ending is Ending.UNRESOLVED:
         raise SimulationError(f"{body.name or 'the body'} {SENTENCES[run.ending]}")

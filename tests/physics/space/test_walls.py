@@ -410,3 +410,22 @@ def test_what_cannot_stand_at_a_wall_is_told() -> None:
         Surroundings(walls="north")  # type: ignore[arg-type]
     with pytest.raises(InputError, match="falls by itself"):
         simulate(BOOKCASE, quiet(0.1), Support(tilt=0.3), surroundings=beside(Wall()))
+
+
+@pytest.mark.parametrize(
+    ("gap", "restitution", "warns"), [(0.0, 0.7, True), (0.0, 0.3, False), (0.001, 0.7, False)]
+)
+def test_a_wall_that_is_touched_and_gives_back_much_is_singular(
+    gap: float, restitution: float, warns: bool, caplog: pytest.LogCaptureFixture
+) -> None:
+    """Said by one run, and by many, with what to do."""
+    around = beside(Wall(gap=gap, restitution=restitution))
+    push = Motion(np.zeros(5), 0.01)
+    for run in (
+        lambda: simulate(BOOKCASE, push, surroundings=around),
+        lambda: simulate_many([BOOKCASE], [push], surroundings=around, progress=False),
+    ):
+        caplog.clear()
+        run()
+        assert ("is singular" in caplog.text) is warns
+        assert ("average over gaps of 0 to 5 mm" in caplog.text) is warns
