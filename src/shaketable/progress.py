@@ -81,9 +81,9 @@ def _lines(title: str, total: int, note: Callable[[], str]) -> Done:
                 "{title}: {count:,} of {total:,}, {rate}, {time} left",
                 title=title,
                 count=count,
-                total=total,
+                total=max(total, count),
                 rate=rate(speed),
-                time=duration((total - count) / speed),
+                time=duration(max(total - count, 0) / speed),
             )
             line += f"; {said}" if said else ""
             # a log that cannot be written must not end the work
@@ -125,7 +125,14 @@ def _bar(console: Any, title: str, total: int, note: Callable[[], str]) -> Itera
     )
     with bar:
         task = bar.add_task(title, total=total, note=note())
-        yield lambda more: bar.update(task, advance=more, note=note())
+        count = 0
+
+        def done(more: int) -> None:
+            nonlocal count
+            count += more
+            bar.update(task, completed=count, total=max(total, count), note=note())
+
+        yield done
 
 
 def rate(speed: float) -> str:

@@ -24,9 +24,10 @@ from shaketable import (
 from shaketable.assess import NOT_CLASSED, Assessment, ItemResult, assess, class_of
 from shaketable.assess.straps import STRAP_SHARE, asks_for_trial, in_strap
 from shaketable.campaign.as_json import from_json, to_json
-from shaketable.inventory import BaseShape, Item, solid_of
+from shaketable.inventory import BaseShape, Castors, Item, solid_of
 from shaketable.outcome import Outcome
 from shaketable.records import suite
+from shaketable.report.words import headline
 from shaketable.units import STANDARD_GRAVITY
 
 MASS = 80.0
@@ -196,6 +197,14 @@ def test_a_support_of_known_length_still_counts(pairs: list[Motion]) -> None:
     assert found.governing_share == found.sliding.falls_or_off
 
 
+def test_near_an_edge_the_first_lines_say_that_it_is_a_rule(pairs: list[Motion]) -> None:
+    found = assess([ITEMS[4], ITEMS[0]], pairs[:2], model=MODEL, leading=0, progress=False)
+    (said,) = [each for each in headline.not_as_it_stands(found) if "Near an edge" in each]
+    assert said.endswith("(13, 32 and 30 of 88 in place of 6, 13 and 8): on the edge.")
+    alone = assess([ITEMS[0]], pairs[:2], model=MODEL, leading=0, progress=False)
+    assert not any("Near an edge" in each for each in headline.not_as_it_stands(alone))
+
+
 def test_beside_an_edge_every_friction_counts(pairs: list[Motion]) -> None:
     """In the rocking model nothing slides there, but with the frictions that are tried."""
     (found,) = assess([ITEMS[4]], pairs, leading=0, progress=False).results
@@ -342,6 +351,26 @@ def test_the_table_tells_what_holds_and_what_was_tried(result: Assessment) -> No
     assert row["try_strap_2000_20mm_force_90_percent_over_weight"] == trial.force.high
     assert math.isnan(table.loc["alone", "held_up_share"])
     assert math.isnan(table.loc["at a wall", "strap_broke_share"])
+
+
+@pytest.mark.parametrize("castors", [Castors.NONE, Castors.FREE, Castors.SOME])
+def test_as_many_simulations_are_counted_as_were_announced(
+    pairs: list[Motion], castors: Castors
+) -> None:
+    """Of what stands free, in a strap and near an edge."""
+    told: list[int] = []
+
+    class Watch:
+        def expect(self, total: int) -> None:
+            told.append(-total)
+
+        def done(self, more: int) -> None:
+            told.append(more)
+
+    items = [replace(item, castors=castors) for item in (ITEMS[0], ITEMS[2], ITEMS[4])]
+    assess(items, pairs[:4], model=MODEL, leading=0, progress=Watch())
+    assert told[0] < 0
+    assert sum(told) == 0
 
 
 def test_what_touches_its_wall_stands_at_several_small_gaps(pairs: list[Motion]) -> None:

@@ -57,8 +57,8 @@ class Floor(NamedTuple):
                 continue
             ways = stood.ways(self.space.trial.motions)
             total += ways.size * levels
-            if item.castors is not Castors.FREE:
-                total += len(FRICTIONS) * len(ways)
+            if item.castors is not Castors.FREE:  # in one way each, and in all where more fall
+                total += len(FRICTIONS) * (len(ways) + ways.size)
             total += plane // 2 * MEMBERS if uncertainty else 0
         return total
 

@@ -122,12 +122,25 @@ class ShakingInSpace(NamedTuple):
             runs = dict(zip(held, run_solids(tried, once, trial, done), strict=True))
             worse = [k for k in held if is_worse(share(runs[k]), share(now[k]))]
             runs |= zip(worse, self.runs([rough[k] for k in worse], trial, done), strict=True)
+            done(_not_needed(stood, held, worse, trial))
             for k, each in runs.items():
                 moved = observed_quartiles(each.moved[~each.fell]).median
                 fall = share_of(each.fell, self.recordings)
                 falls_or_held_up = share(each) if stood[k].around else None
                 found[k].append(FrictionResult(friction, fall, moved, falls_or_held_up))
         return found
+
+
+def _not_needed(
+    stood: Sequence[Stood], held: Sequence[int], worse: Sequence[int], trial: ShakingSet
+) -> int:
+    """How many of the simulations with another friction that were planned are not made."""
+    count = 0
+    for k, each in enumerate(stood):
+        if each.item.castors is not Castors.FREE and k not in worse:
+            ways = each.ways(trial.motions)
+            count += ways.size + (0 if k in held else len(ways))
+    return count
 
 
 def model_of_solids(model: Model) -> General | None:

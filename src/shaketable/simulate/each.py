@@ -15,7 +15,7 @@ from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate import kinds
-from shaketable.simulate.around import Around, listed_surroundings, warn_of_walls
+from shaketable.simulate.around import Around, listed_surroundings, warn_of
 from shaketable.simulate.checks import listed, numbers, require_polarities
 from shaketable.simulate.kinds import CPU, CUDA, TILT, kind_of, require_device
 from shaketable.simulate.plane import Group, Rows, downhill_of
@@ -102,7 +102,7 @@ def simulate_each(
     kind.require_standing(asked)
     kind.require_surroundings(asked.bodies, asked.surroundings, model, asked.tilts)
     kind.warn(model, asked.tilts.tolist(), list(dict.fromkeys(asked.motions)))
-    warn_of_walls(around, model)
+    warn_of(around, model, solid=kind.body is Solid)
     found = Results(kind.has(model), count, around)
     tasks = kind.tasks(asked, model, device)
     endings = kinds.run(tasks, count, found.store, 1 if device == CUDA else threads, progress)

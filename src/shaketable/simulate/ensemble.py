@@ -18,7 +18,7 @@ from shaketable.models import Model
 from shaketable.motion import Motion
 from shaketable.progress import Progress
 from shaketable.simulate import kinds
-from shaketable.simulate.around import Around, listed_surroundings, warn_of_walls
+from shaketable.simulate.around import Around, listed_surroundings, warn_of
 from shaketable.simulate.checks import (
     listed,
     motions_of,
@@ -119,7 +119,7 @@ class Ensemble:
             Support(tilt=tilt, azimuth=azimuth)  # raises InputError for a tilt out of range
         kind.require_surroundings(things, around, model, beta)
         kind.warn(model, beta.tolist(), motions)
-        warn_of_walls(around, model)
+        warn_of(around, model, solid=kind.body is Solid)
         return cls(
             bodies=things,
             motions=motions,

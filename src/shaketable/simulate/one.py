@@ -16,7 +16,7 @@ from shaketable.models import Model, model_of
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome, downhill_sign
 from shaketable.response import PlanarResponse, Response
-from shaketable.simulate.around import held_by, listed_surroundings, warn_of_walls
+from shaketable.simulate.around import held_by, listed_surroundings, warn_of
 from shaketable.simulate.checks import require_kind, require_stable, warn
 from shaketable.simulate.kinds import kind_of
 from shaketable.simulate.one_solid import simulate_solid
@@ -93,7 +93,8 @@ def simulate(
     if not isinstance(support, Support):
         raise InputError(f"support must be a Support, such as Support(tilt=0.05); got {support!r}")
     if isinstance(body, Solid):
-        warn_of_walls(listed_surroundings([surroundings]), model_for_solids(model))
+        around = listed_surroundings([surroundings])
+        warn_of(around, model_for_solids(model), solid=True)
         if initial_rotation != 0.0:
             raise InputError("initial_rotation is of a planar Body; a Solid begins on its base")
         return simulate_solid(
@@ -112,7 +113,7 @@ def simulate(
         )
     kind_of(body).require_surroundings([body], around, model, np.array([support.tilt]))
     warn(model, [support.tilt], [motion])
-    warn_of_walls(around, model)
+    warn_of(around, model, solid=False)
     run = model.run_one(body, support.tilt, motion, float(initial_rotation), around[0])
     if run.ending is Ending.UNRESOLVED:
         raise SimulationError(f"{body.name or 'the body'} {SENTENCES[run.ending]}")

@@ -34,5 +34,5 @@ class Watch:
     def _write(self) -> None:
         self._told = time.monotonic()
         fresh = self._place / f"{PROGRESS}.new"
-        fresh.write_text(f"{self._count} {self._total}", encoding="ascii")
+        fresh.write_text(f"{self._count} {max(self._count, self._total)}", encoding="ascii")
         os.replace(fresh, self._place / PROGRESS)  # noqa: PTH105  the older is replaced at once

@@ -202,7 +202,7 @@ async function askMany() {
       if (mine !== view.asked) return;
       view.shares = found;
       told = true;
-      write("share", () => { showShares(found, scale, thing); return shareOf(found); });
+      write("share", () => { showShares(found, scale, thing); return shareOf(found, thing); });
       find("shares").classList.remove("old");
       find("worst").disabled = find("worst").hidden = false;
     }
