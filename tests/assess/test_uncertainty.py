@@ -16,6 +16,7 @@ from shaketable.assess.shares import Quartiles, Share
 from shaketable.assess.uncertainty import KINDS, components, kind_of
 from shaketable.inventory import Castors
 from shaketable.report.words import headline
+from shaketable.resampling import wilson_interval
 from tests.support.command import shaketable
 
 
@@ -105,3 +106,17 @@ def test_from_the_command_line(tmp_path: Path) -> None:
     table = pd.read_csv(tmp_path / "out" / "results.csv")
     assert 0.0 < table["fall_probability"].iloc[0] < 1.0
     assert "If the objects are uncertain, too" in (tmp_path / "out" / "report.html").read_text()
+
+
+def test_the_interval_counts_recordings_and_no_motions_or_simulations(p695: list[Motion]) -> None:
+    """Six motions of three recordings, with hundreds of objects: an interval of three."""
+    three = [p695[k] for k in (0, 2, 4)]
+    twice = [each.scaled(factor) for each in three for factor in (0.8, 1.1)]
+    found = assess([item("Bookcase", 0.32, 1.8)], twice, uncertainty=True, planar=True,
+                   progress=False)  # fmt: skip
+    (result,) = found.results
+    assert result.recordings == 3
+    assert result.uncertain is not None
+    fall = result.uncertain.fall
+    assert 0.0 < fall.value < 1.0
+    assert (fall.low, fall.high) == pytest.approx(wilson_interval(fall.value, 3))

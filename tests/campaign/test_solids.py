@@ -163,3 +163,20 @@ def test_what_cannot_be(wanted: dict[str, Any], tmp_path: Path) -> None:
         run_campaign(**wanted, store=tmp_path / "c", device="gpu")
     with pytest.raises(InputError, match="one edge"):
         run_campaign(**{**wanted, "model": "rocking"}, store=tmp_path / "c")
+
+
+def test_a_summary_counts_what_is_held_at_its_own_scale(
+    held: dict[str, Any], tmp_path: Path
+) -> None:
+    """At two scales, neither of them one, with unequal counts of each."""
+    held["scales"] = (0.6, 1.3)
+    known = simulate_many(**held)
+    others = ("motion", "polarity", "orientation")
+    kept = known.held_up.sum(others)
+    fallen = (known.outcome == -1).sum(others)
+    assert kept.values[..., 0].tolist() != kept.values[..., 1].tolist()
+    counted = run_campaign(**held, store=tmp_path / "s", keep="summary")
+    assert counted.held_up.values.tolist() == kept.values.tolist()
+    assert counted.downhill.values.tolist() == fallen.values.tolist()
+    bins = counted.peaks.values.argmax(axis=-1)  # where most peaks lie, of each cell
+    assert (bins[..., 0] < bins[..., 1]).any()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 
 import numpy as np
@@ -10,7 +11,8 @@ import pandas as pd
 import pytest
 from matplotlib.figure import Figure
 
-from shaketable import suite
+from shaketable import Body, suite
+from shaketable.fragility import efficiency
 from tests.support.command import refused, shaketable, undrawn
 
 ONE = ("--width-m", 0.32, "--height-m", 1.8)
@@ -41,6 +43,23 @@ def test_one_object(tmp_path: Path) -> None:
     assert told["settings"]["limit_states"] == "rocks 0.5 alpha, overturns"
     again = shaketable("fragility", *ONE, "--out", "found", cwd=tmp_path)
     assert again.returncode == 2
+
+
+def test_which_measure_tells_most_is_asked_on_the_tilt_that_was_given(tmp_path: Path) -> None:
+    """The dispersions of measures.csv are those of `efficiency` on a support of 3°."""
+    run = shaketable("fragility", *ONE, "--tilt-deg", 3, "--motions", "near-field-pulse",
+                     "--out", "found", cwd=tmp_path)  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    told = pd.read_csv(tmp_path / "found" / "measures.csv").set_index("measure")["beta"]
+    motions = suite("fema-p695-near-field-pulse")
+    body = Body.rectangle(0.32, 1.8)
+    on_tilt, level = (
+        efficiency([body], motions, tilt=tilt).set_index("measure")["beta"]
+        for tilt in (math.radians(3.0), 0.0)
+    )
+    for name in ("PGA", "PGV"):
+        assert told[name] == pytest.approx(on_tilt[name], rel=1e-4)
+        assert abs(told[name] - level[name]) > 0.01
 
 
 @pytest.mark.slow

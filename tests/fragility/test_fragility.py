@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from pathlib import Path
 
@@ -10,8 +11,11 @@ import pytest
 
 from shaketable import Body, General, InputError, Motion, run_campaign, simulate_many, suite
 from shaketable.fragility import fragility, with_intensities
+from shaketable.fragility.counts import count_stripes
 from shaketable.fragility.limit_states import limit_state, limit_states
 from shaketable.signal import intensity_measures
+from shaketable.signal.intensity import measure_named
+from shaketable.synthesis import one_sine
 
 BOOKCASE = Body.rectangle(0.32, 1.80, name="bookcase")
 SCALES = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0)
@@ -289,3 +293,28 @@ def test_limit_states_are_written_as_they_are_read() -> None:
     for text in ("rocks 0.5 m", "slides 0.1", "slides -1 m", "rocks 1e α", "slides 0 m"):
         with pytest.raises(InputError, match="unknown limit state"):
             limit_state(text)
+
+
+def test_stripes_of_a_measure_that_grows_with_the_square_of_the_motion() -> None:
+    """Levels of the Arias intensity four times that of a motion are its double."""
+    motions = [one_sine(size, 0.9) for size in (1.6, 2.3)]
+    once = np.array([intensity_measures(each)["Arias"] for each in motions])
+    measure = measure_named("Arias")
+    assert measure.power == 2
+    bodies = [Body.rectangle(0.3, 1.7), Body.rectangle(0.45, 1.5)]
+    levels = np.array([0.5, 2.7, 9.1])
+    counts = count_stripes(
+        bodies, motions, [limit_state("uplift"), limit_state("overturns")], measure, once, levels,
+        0.0, False, {"model": None},
+    )  # fmt: skip
+    expected = np.zeros((2, 2, 2, 3))
+    for m, motion in enumerate(motions):
+        for k, level in enumerate(levels):
+            runs = simulate_many(
+                bodies, [motion.scaled(math.sqrt(level / once[m]))], progress=False
+            )
+            fell = runs.outcome.values != 0
+            expected[:, 0, m, k] = (fell | (runs.peak_rotation.values > 0.0)).sum(axis=(1, 2, 3, 4))
+            expected[:, 1, m, k] = fell.sum(axis=(1, 2, 3, 4))
+    assert counts.reached.tolist() == expected.tolist()
+    assert len(np.unique(expected)) > 2

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import statsmodels.api as sm
@@ -130,3 +132,16 @@ def test_a_vertical_motion_changes_only_its_own(far_field: list[Motion]) -> None
         # upward acceleration presses a body down: it does not tip earlier than others
         pressed = vector_fragility(BODIES, [up, *far_field[1:]], scales=SCALES, draws=0)
         assert pressed.least == pytest.approx(1.0)
+
+
+def test_the_interval_of_a_coefficient_is_the_basic_one() -> None:
+    """2 ĉ less the quantiles of the draws, and not these: of draws that lie to one side of ĉ."""
+    draws = 1.0 + 0.01 * np.arange(400)  # 1.00 to 4.99 about an estimate of 2
+    coefficients = np.vstack([[2.0, 5.0, 7.0], np.column_stack([draws, 3 * draws, 7.0 - draws])])
+    found = replace(
+        vector_fragility(BODIES, suite("fema-p695-far-field"), scales=SCALES, draws=0),
+        coefficients=coefficients,
+    )
+    low, high = 2.0 - (draws - 2.0)[[-11, 10]]  # 2.5 % of 400 on either side
+    assert found.intervals[0] == pytest.approx((low, high), abs=0.02)
+    assert found.intervals[0, 1] == pytest.approx(2 * 2.0 - 1.1, abs=0.02)

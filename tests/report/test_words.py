@@ -458,6 +458,11 @@ def test_what_is_held_up_is_told_by_itself() -> None:
     assert findings.risk_in_words(found) == "medium risk" or found.risk == FEW_FALLS
     (headed,) = headline._held_up([replace(found, number=1)])
     assert headed.startswith("On average only a wall or a strap would hold up 0.1 more in the end")
+    many = replace(
+        found, number=2, profile=replace(found.profile, item=replace(found.item, quantity=30))
+    )
+    (headed,) = headline._held_up([replace(found, number=1), many])
+    assert headed.startswith("On average only a wall or a strap would hold up 2.2 more")  # 31 × 7 %
     assert headline._held_up([in_strap(), RESULT]) == []
 
 
@@ -565,7 +570,8 @@ def test_headline(p695: list[Motion]) -> None:
         Item(body=Body.rectangle(1.0, 0.5, name="flat"), height=0.5, quantity=6),
     ]
     result = assess(items, p695[:24], progress=False)
-    first, second = headline.headline(result)
+    first, second, crustal = headline.headline(result)
+    assert "shallow crustal earthquakes" in crustal
     assert first.startswith("1 of 2 kinds of object (4 of 10 pieces)")
     assert "of these shakings" in first
     expected = 4 * result.table["fall_share"][0]
@@ -577,7 +583,7 @@ def test_headline(p695: list[Motion]) -> None:
     unknown = [replace(items[1], depth_known=False, castors=Castors.UNKNOWN)]
     blind = assess(unknown, p695[:24], progress=False)
     # of what has no depth nothing good is said, in the first sentence
-    assert headline.headline(blind) == [
+    assert headline.what_falls(blind) == [
         "Of 1 kind of object nothing can be said, as the inventory gives no depth."
     ]
     said = headline.how_sure(blind)

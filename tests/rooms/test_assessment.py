@@ -8,16 +8,18 @@ from itertools import product
 
 import numpy as np
 import pytest
+from shapely import Polygon
 
 from shaketable import General, InputError, Motion, Outcome, simulate_many
 from shaketable.inventory import solid_of
 from shaketable.records import suite
 from shaketable.report.words.room import why_not
+from shaketable.resampling import wilson_interval
 from shaketable.rooms import Place, PlaceKind, RoomAssessment, assess_room
 from shaketable.rooms.grid import Grid
-from shaketable.rooms.grounds import Ground
+from shaketable.rooms.grounds import Ground, ground_of
 from shaketable.rooms.judged import Judge
-from shaketable.rooms.shaken import at_walls, directions
+from shaketable.rooms.shaken import Fate, at_walls, directions
 from shaketable.rooms.shapes import fallen, footprint, own_angle
 from tests.rooms.test_plan import cabinet, room
 
@@ -186,3 +188,39 @@ def test_what_is_not_simulated_is_told() -> None:
 def test_motions_need_both_components(p695: list[Motion]) -> None:
     with pytest.raises(InputError, match="both horizontal components"):
         assess_room(ROOM, p695[:4], progress=False)
+
+
+def test_intervals_count_recordings_and_no_motions_or_runs(pairs: list[Motion]) -> None:
+    """Three recordings, each at two strengths and both polarities: 12 runs of 3 experiments."""
+    twice = [each.scaled(factor) for each in pairs[:3] for factor in (1.0, 1.3)]
+    found = assess_room(ROOM, twice, model=MODEL, frictions=(), progress=False)
+    assert (found.runs, found.recordings) == (12, 3)
+    for share in (*(each.falls for each in found.things), *(each.hit for each in found.places)):
+        low, high = wilson_interval(share.value, 3)
+        assert (share.low, share.high) == pytest.approx((float(low), float(high)))
+    assert 0.0 < found.things[1].falls.value < 1.0
+
+
+@pytest.mark.parametrize("fell", [False, True])
+def test_the_ground_turns_the_way_the_thing_does(fell: bool) -> None:
+    """Counterclockwise by 0.4 rad, where the mirrored turn covers other cells; by hand."""
+    where = room(slim("shelf", (2.0, 1.5), 0.0))
+    (thing,), grid = where.things, Grid.of(where)
+    one = np.array([True])
+    fate = Fate(
+        fell=one & fell, held_up=one & False, toward=np.array([0.4 if fell else np.nan]),
+        shift=np.array([[0.12, -0.07]]), yaw=np.array([0.4]),
+    )  # fmt: skip
+    ground = ground_of(where, grid, thing, fate).after[0]
+    angle = own_angle(thing, where) + 0.4
+    if fell:
+        expected = fallen(thing, where, 0.4, (0.12, -0.07), 0.4)
+        mirrored = fallen(thing, where, 0.4, (0.12, -0.07), -0.4)
+    else:
+        half = np.array([(0.15, 0.5), (-0.15, 0.5), (-0.15, -0.5), (0.15, -0.5)])
+        cosine, sine = math.cos(angle), math.sin(angle)
+        corners = half @ np.array([[cosine, sine], [-sine, cosine]]) + [2.0 + 0.12, 1.5 - 0.07]
+        expected = Polygon(corners)
+        mirrored = footprint(thing, where, (0.12, -0.07), -0.4)
+    assert ground.tolist() == grid.covered(expected).tolist()
+    assert ground.tolist() != grid.covered(mirrored).tolist()

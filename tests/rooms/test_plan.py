@@ -283,3 +283,43 @@ def test_all_faults_at_once() -> None:
     }
     assert [each.where for each in faults_of(room(doors=()))] == ["room"]
     assert not faults_of(room(cabinet((3.0, 2.0))))
+
+
+@pytest.mark.parametrize(("wide", "open_"), [(0.85, True), (0.80, True), (0.70, False)])
+def test_a_gap_as_wide_as_the_way_is_open_and_a_narrower_one_closed(
+    wide: float, open_: bool
+) -> None:
+    """A way of 0.80 m between a wall and a row of cabinets, on cells of 0.05 m.
+
+    Cells stand for their middles: 0.75 m cannot be told from 0.80 m, and counts as open.
+    """
+    bed = Place(name="bed", kind=PlaceKind.BED, at=(0.6, 2.4), size=(1.0, 1.0))
+    where = room(places=(bed,), way=0.8)
+    grid = Grid.of(where)
+    assert grid.cell == pytest.approx(0.05)
+    ways = Ways(where, grid)
+    y, x = np.indices(grid.shape)
+    outline = np.argwhere(grid.floor)
+    (low_y, low_x), (high_y, high_x) = outline.min(axis=0), outline.max(axis=0)
+    row = low_y + (high_y - low_y) // 2  # across the room, but for a gap at its left wall
+    bar = (np.abs(y - row) <= 2) & (x >= low_x + round(wide / grid.cell)) & (x <= high_x)
+    occupied = bar & grid.floor
+    away = np.zeros(grid.shape, np.bool_)
+    away.flat[ways.kept_away(np.flatnonzero(occupied))] = True
+    assert bool(ways.open(occupied, away).any()) is open_
+
+
+def test_what_keeps_a_disc_away_is_nearer_than_its_radius_less_half_a_cell() -> None:
+    """0.40 m less 0.025: a cell 7 and 3 cells off (0.381 m)
+    does not, one 7 and 2 off (0.364 m) does.
+
+    The middle of a cell stands for all of it, whose border is half a cell nearer.
+    """
+    where = room(way=0.8)
+    grid = Grid.of(where)
+    ways = Ways(where, grid)
+    y, x = (int(each) for each in np.argwhere(grid.floor)[grid.floor.sum() // 2])
+    away = np.zeros(grid.shape, np.bool_)
+    away.flat[ways.kept_away(np.array([y * grid.shape[1] + x]))] = True
+    assert not away[y + 7, x + 3]
+    assert away[y + 7, x + 2]

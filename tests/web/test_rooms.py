@@ -206,3 +206,24 @@ def test_a_room_without_places_has_nothing_to_change(tmp_path: Path) -> None:
     bare = ROOM[: ROOM.index("[[place]]")] + ROOM[ROOM.index("[[thing]]") :]
     with pytest.raises(InputError, match="no places"):
         rooms.assess_room(AssessRoom(text=bare, changes=True), str(tmp_path))
+
+
+def test_a_film_has_the_sides_of_each_thing_where_they_are() -> None:
+    """From its front to its back, then from left to right, seen from the centre of gravity."""
+    text = ROOM.replace("depth_m = 0.3\n", "depth_m = 0.3\neccentricity = 0.3\n")
+    film = rooms.shake(ShakeRoom(text=text, shaking=PULSE))
+    (shelf,) = film.things
+    assert shelf.base_m == pytest.approx((-0.09, 0.21, -0.45, 0.45))
+
+
+def test_a_reversed_motion_is_shaken_the_other_way() -> None:
+    """The ground moves by the negative."""
+    asked = {"text": ROOM, "shaking": PULSE}
+    ahead, back = (
+        rooms.shake(ShakeRoom(**asked, reverse=reverse))  # type: ignore[arg-type]
+        for reverse in (False, True)
+    )
+    count = min(len(ahead.ground_m), len(back.ground_m))
+    one, other = (np.array(each.ground_m[:count]) for each in (ahead, back))
+    assert np.abs(one).max() > 0.01
+    np.testing.assert_allclose(one, -other, atol=2e-4)  # rounded to 0.1 mm
