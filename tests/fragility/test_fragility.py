@@ -317,4 +317,4 @@ def test_stripes_of_a_measure_that_grows_with_the_square_of_the_motion() -> None
             expected[:, 0, m, k] = (fell | (runs.peak_rotation.values > 0.0)).sum(axis=(1, 2, 3, 4))
             expected[:, 1, m, k] = fell.sum(axis=(1, 2, 3, 4))
     assert counts.reached.tolist() == expected.tolist()
-    assert len(np.unique(expected)) > 2
+    assert 0.0 < expected[:, 1].mean() < 2.0  # some fall, and some do not
