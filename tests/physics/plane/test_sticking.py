@@ -133,3 +133,22 @@ def test_what_rests_gives_way_to_the_weaker_of_friction_and_weight() -> None:
         yields = G * math.tan(hold - tilt)  # downhill, a_x > 0
         for factor, lifts in ((0.999, False), (1.001, True)):
             assert (rocking.tipping(resting.left, G, factor * yields) > 0.0) == lifts
+
+
+def test_the_bound_of_a_fast_rotation_under_hardly_any_force_is_near() -> None:
+    """Then the centripetal part alone sags, by r q'² w²/8 where its direction turns by w."""
+    rng = np.random.default_rng(22)
+    tight = 0.0
+    for _ in range(400):
+        body = random_body(rng)
+        side, height = rng.choice([1.0, -1.0]), rng.uniform(0.05, 0.6)
+        rate, h = rng.choice([-1.0, 1.0]) * rng.uniform(2.0, 4.0), 0.03
+        force = Forcing(1e-4, 1e-4, 1e-4, -1e-4)
+        margins = true_margins(body, side, height, rate, h, force)
+        cone, own = sticking.make_cone(body, side), seen_from(force, side)
+        of_side = rocking.side_of(body.block, side)
+        bound = sticking.sag(cone.radius, of_side.k, rate, h, own)
+        drop = min(margins[0], margins[-1]) - margins.min()
+        assert drop <= bound + 1e-9
+        tight = max(tight, drop / bound)
+    assert tight > 0.5
