@@ -335,6 +335,10 @@ def test_a_location_that_is_furniture_carries(
         ("Regal", "steht an der Wand", "", False),
         ("Hanging file cabinet", "", "", False),
         ("Bookcase", "floor to ceiling", "", False),
+        ("Anaesthesia machine", "gas hoses from the ceiling", "", False),
+        ("Narkosegerät", "Schläuche von der Decke", "", False),
+        ("Máquina de anestesia", "mangueras del techo", "", False),
+        ("Lamp", "comes from the ceiling", "", True),
         ("Schülerspinde", "nebeneinander, nicht verschraubt", "", False),
         ("Wall cupboard", "", "no", False),  # a column that says it decides
         ("Wall cupboard", "", "yes", False),  # then it is anchored
@@ -351,6 +355,14 @@ def test_what_hangs_or_is_fixed_is_asked_about(
     item, box = read_inventory(write(tmp_path, text))
     assert (item.hangs, item.loose, box.loose) == (hangs, not hangs and anchored != "yes", True)
     assert ("may hang, or be fixed to the building" in caplog.text) is hangs
+
+
+def test_what_rolls_does_not_hang(tmp_path: Path) -> None:
+    text = "name,depth_m,width_m,height_m,castors,note\n" + "".join(
+        f"Monitor {castors},0.5,0.6,1.4,{castors},from the ceiling\n"
+        for castors in ("free", "yes", "none")
+    )
+    assert [item.hangs for item in read_inventory(write(tmp_path, text))] == [False, False, True]
 
 
 @pytest.mark.parametrize(
