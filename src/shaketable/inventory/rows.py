@@ -183,9 +183,10 @@ def item_of(
             for meaning, message in wrong
         ], None
     said = (text.get("note", ""), text.get("location", ""), text.get("stands_on", ""))
-    told = text.get("anchored") or (item.surroundings and item.surroundings.straps)
-    rolls = item.castors in (Castors.FREE, Castors.LOCKED, Castors.SOME)
-    hangs = not (told or rolls) and hangs_or_is_fixed(item.name, *said)
+    strapped = item.surroundings is not None and bool(item.surroundings.straps)
+    on_castors = item.castors in (Castors.FREE, Castors.LOCKED, Castors.SOME)
+    asked = not (text.get("anchored") or strapped or on_castors)
+    hangs = asked and hangs_or_is_fixed(item.name, *said)
     return [], replace(item, row=row[0].row, unread=unread, hangs=hangs)
 
 
