@@ -122,8 +122,12 @@ HELD = {
     "fall_or_held_up_share_high": 0.7, "strap_force_median_over_weight": 0.2,
     "strap_force_90_percent_over_weight": 0.6, "strap_force_largest_over_weight": 0.8,
     "strap_broke_share": 0.33, "off_edge_share": 0.06,
-    "try_strap_share": 0.41, "try_strap_share_low": 0.2, "try_strap_share_high": 0.6,
-    "try_strap_held_up_share": 0.26,
+    "try_strap_share": 0.24, "try_strap_share_low": 0.11, "try_strap_share_high": 0.45,
+    "try_strap_held_up_share": 0.09,
+    "try_strap_2000_20mm_share": 0.41, "try_strap_2000_20mm_at_wall_share": 0.24,
+    "try_strap_2000_20mm_at_wall_force_median_over_weight": 0.35,
+    "try_strap_2000_20mm_at_wall_force_90_percent_over_weight": 0.95,
+    "try_strap_2000_20mm_at_wall_force_largest_over_weight": 1.6,
     "try_strap_2000_20mm_force_median_over_weight": 0.7,
     "try_strap_2000_20mm_force_90_percent_over_weight": 1.3,
     "try_strap_2000_20mm_force_largest_over_weight": 2.9,
@@ -143,6 +147,10 @@ def test_every_column() -> None:
         MitigationKind.STRAP, about, 80, Share(0.14, 0.0, 0.2), Share(0.26, 0.1, 0.4),
         Share(0.41, 0.2, 0.6), StrapForce(0.7, 1.3, 2.9),
     )  # fmt: skip
+    walled = Mitigation(
+        MitigationKind.STRAP, about | {"wall_gap_m": 0.02}, 80, Share(0.15, 0.0, 0.3),
+        Share(0.09, 0.02, 0.25), Share(0.24, 0.11, 0.45), StrapForce(0.35, 0.95, 1.6),
+    )  # fmt: skip
     based = Mitigation(
         MitigationKind.BASE, {"depth_m": 0.57, "width_m": 0.91}, 80, Share(0.07, 0.0, 0.2),
         Share(0.01, 0.0, 0.1), Share(0.08, 0.02, 0.2),
@@ -154,7 +162,7 @@ def test_every_column() -> None:
     )  # fmt: skip
     assert RESULT.solid is not None
     beside = replace(
-        result, mitigations=(strapped, based), solid=RESULT.solid._replace(surrounded=held),
+        result, mitigations=(strapped, walled, based), solid=RESULT.solid._replace(surrounded=held),
         profile=replace(FRONT, item=replace(ITEM, surroundings=around)),
     )  # fmt: skip
     (more,) = table_of([("3", [beside])], Weights(), ["half"]).to_dict("records")

@@ -146,9 +146,15 @@ class ItemResult(ProfileResult):
 
     @property
     def tried(self) -> list[Mitigation]:
-        """One measure of each kind, the one that leaves most; those that leave least come first."""
+        """One measure of each kind, the one that leaves most; those that leave least come first.
+
+        Of straps those beside a wall count, where some were tried: what they hold is told of these.
+        """
+        walled = {each.kind for each in self.straps if not each.to_a_post}
         worst: dict[MitigationKind, Mitigation] = {}
         for each in self.mitigations:
+            if each.to_a_post and each.kind in walled:
+                continue
             known = worst.get(each.kind)
             if known is None or self._order(each) > self._order(known):
                 worst[each.kind] = each

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from enum import StrEnum
 from typing import NamedTuple
@@ -127,6 +128,11 @@ class Mitigation(NamedTuple):
     held_up: Share
     left: Share
     force: StrapForce | None = None
+
+    @property
+    def to_a_post(self) -> bool:
+        """Whether it is a strap to a post or a ceiling, without a wall behind the object."""
+        return self.force is not None and math.isnan(self.about["wall_gap_m"])
 
 
 class SolidResult(NamedTuple):

@@ -158,9 +158,10 @@ def _measures(result: ItemResult) -> dict[str, Any]:
     for each in result.straps:
         assert each.force is not None
         about = each.about
-        beside = "" if math.isnan(about["wall_gap_m"]) else "_at_wall"
+        beside = "" if each.to_a_post else "_at_wall"
         stiff, slack = f"{about['stiffness_per_mass']:g}", f"{1e3 * about['slack_m']:g}mm"
         begin = f"try_{each.kind}_{stiff}_{slack}{beside}"
+        row |= {f"{begin}_share": each.left.value}
         row |= {f"{begin}_{name}_over_weight": it for name, it in _named(each.force).items()}
     return row
 

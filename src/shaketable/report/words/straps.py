@@ -42,7 +42,7 @@ def _forces(kind: MitigationKind, result: ItemResult, walled: bool) -> list[Stra
     return [
         each.force
         for each in result.straps
-        if each.force and each.kind is kind and math.isfinite(each.about["wall_gap_m"]) is walled
+        if each.force and each.kind is kind and each.to_a_post is not walled
     ]
 
 
@@ -106,7 +106,7 @@ def borne(kind: MitigationKind, result: ItemResult) -> str:
     tried = [each for each in result.straps if each.kind is kind]
     stiff = [each.about["stiffness_per_mass"] * HUNDRED / 1e3 for each in tried]
     slack = [1e3 * each.about["slack_m"] for each in tried]
-    return tell(
+    said = tell(
         "In {often:g} of 100 shakings the strap bears at most {told} (stiffness {stiff} kN/m for "
         "each {mass:g} kg, slack {slack} mm); hooks and walls were taken as unbreakable.",
         often=100 * STRAP_SHARE,
@@ -115,6 +115,23 @@ def borne(kind: MitigationKind, result: ItemResult) -> str:
         mass=HUNDRED,
         slack=_range(slack),
     )
+    return " ".join([said, *_without_a_wall(kind, result)])
+
+
+def _without_a_wall(kind: MitigationKind, result: ItemResult) -> list[str]:
+    """How often it falls in a strap with no wall behind it, where that is more often."""
+    tried = [each for each in result.straps if each.kind is kind]
+    posts = [each.left.value for each in tried if each.to_a_post]
+    walled = [each.left.value for each in tried if not each.to_a_post]
+    if not posts or not walled or max(posts) <= max(walled):
+        return []
+    often = in_hundred(max(posts))
+    return [
+        tell(
+            "Without a wall behind it, it falls or only the strap holds it up in {often} of 100.",
+            often=often,
+        )
+    ]
 
 
 def _most(item: Item, over_weight: float, where: str) -> str:
