@@ -31,6 +31,7 @@ from shaketable.assess import (
     SolidResult,
     StrapForce,
     SurroundedResult,
+    Walls,
     assess,
 )
 from shaketable.inventory import Castors, Item
@@ -334,8 +335,8 @@ def test_measures_are_ranked_by_what_they_leave() -> None:
     assert best == (
         "Strap it to the wall (a strap for each, whose hooks and anchors hold 0.72 "
         "times its weight in 90 of 100 shakings, 1.5 times in all (710 N and 1.5 kN if it weighs "
-        "100 kg)): from 50 to 2 of 100 (0–40); in 2 of 100 only its wall or strap holds it "
-        "up. In 90 of 100 shakings "
+        "100 kg)): from 50 to 2 of 100 (0–40); it falls in 0, and only its wall or strap "
+        "holds it up in 2. In 90 of 100 shakings "
         "the strap bears at most 0.72 times its weight beside a wall and 1.7 times its weight to a "
         "post or a ceiling, without a wall behind it (stiffness 200 kN/m for each 100 kg, slack "
         "20 mm); hooks and walls "
@@ -647,8 +648,38 @@ def test_what_is_held_up_counts_before_and_after_a_measure() -> None:
     assert found.before.value == 0.5
     assert found.helpful == []
     assert mitigation.outcome(as_much, found) == (
-        "from 50 to 50 of 100 (40–60); in 50 of 100 only its wall or strap holds it up"
+        "from 50 to 50 of 100 (40–60); it falls in 0, and only its wall or strap holds it up in 50"
     )
+
+
+def test_what_falls_with_another_friction_alone() -> None:
+    """It is never said that nothing overturns it."""
+    solid = SOLID._replace(falls=0, level=LevelResult(NONE, NONE))
+    near = of(replace(ITEM, people_nearby=True), replace(RESULT, solid=solid))
+    assert "none of these shakings overturns it" in to_do(near)[0]
+    slides = FrictionResult(0.7, Share(0.08, 0.01, 0.2), 0.1)
+    told = to_do(replace(near, solid=solid._replace(frictions=(slides,))))[0]
+    assert told.startswith("Anchor it all the same")
+    assert told.endswith("with another friction some of these shakings overturn it.")
+
+
+def test_the_floor_on_which_most_falls() -> None:
+    """Of 7 pieces 50 of 100 fall, and of 3 none: 3.5 of 10."""
+    some = of(replace(ITEM, quantity=7), RESULT)
+    none = of(replace(ITEM, quantity=3), QUIET)
+    low, high = (one(each).floors[0] for each in (none, some))
+    floors = [replace(low, floor="1"), replace(high, floor="4")]
+    said = " ".join(headline.headline(replace(one(some), floors=floors)))
+    assert "of 10 pieces would fall, most of all on floor 4: 3.5 of 7 pieces there" in said
+
+
+def test_a_wall_that_was_answered_is_not_left_out() -> None:
+    """What is not considered names no walls then, and the first lines tell who has none."""
+    free, walled = (replace(one(TRIED), walls=each) for each in (Walls.NO, Walls.YES))
+    assert "walls, straps and edges that the list does not give" in method.not_considered(free)
+    assert ": straps and edges that the list does not give" in method.not_considered(walled)
+    told = " ".join(headline.assumed(walled))
+    assert "not on castors, on furniture or near an edge" in told
 
 
 def test_what_was_tried_and_does_not_help_is_not_advised() -> None:
@@ -657,6 +688,11 @@ def test_what_was_tried_and_does_not_help_is_not_advised() -> None:
     tether = strap(math.nan, 8.0)._replace(
         kind=MitigationKind.TETHER, fall=Share(0.8, 0.6, 0.9), left=Share(0.8, 0.6, 0.9)
     )
-    assert first(replace(cart, mitigations=(tether,))) == "nothing that was tried clearly helps"
+    tethered = replace(cart, mitigations=(tether,))
+    assert first(tethered) == "nothing that was tried clearly helps"
+    assert mitigation.of_no_help(tethered, PREMISES["hospital"]) == (
+        "With this it falls, or goes far, more often: tether it (from 50 to 80 of 100 (60–90); it "
+        "falls in 80 instead of 50)."
+    )
     assert first(replace(cart, mitigations=())) == "tether it"
     assert first(replace(TRIED, mitigations=(PAD,))) == "anchor it"

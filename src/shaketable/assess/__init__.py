@@ -37,7 +37,7 @@ from shaketable.assess.results import (
     StrapForce,
     SurroundedResult,
 )
-from shaketable.assess.shares import Quartiles, Share, apart
+from shaketable.assess.shares import Quartiles, Share, apart, is_worse
 from shaketable.assess.straps import DAMPING, SLACKS, STIFFNESSES, STRAP_SHARE
 from shaketable.assess.walls import Walls
 
@@ -93,5 +93,6 @@ __all__ = [
     "assess",
     "class_of",
     "fate_of",
+    "is_worse",
     "widened",
 ]

@@ -81,17 +81,30 @@ def _not_tried(result: ItemResult) -> str:
     """What is said of an object on which no measure was tried."""
     why = _why(result.item)
     if not result.before.value:
-        if why or result.item.must_not_fall:
+        if not (why or result.item.must_not_fall):
+            return tell("Anchor it where a fall would hurt somebody or stop work.")
+        reason = f" ({why})" if why else ""
+        if _falls_where_it_slides(result):
             return tell(
-                "Anchor it all the same{why}: none of these shakings overturns it, and a stronger "
-                "one may.",
-                why=f" ({why})" if why else "",
+                "Anchor it all the same{why}: with another friction some of these shakings "
+                "overturn it.",
+                why=reason,
             )
-        return tell("Anchor it where a fall would hurt somebody or stop work.")
+        return tell(
+            "Anchor it all the same{why}: none of these shakings overturns it, and a stronger one "
+            "may.",
+            why=reason,
+        )
     return tell(
         "Hold it, by a strap or an anchor. What helps how much was simulated for the objects that "
         "come first; shaketable assess --try all does it for every kind that falls."
     )
+
+
+def _falls_where_it_slides(result: ItemResult) -> bool:
+    """Whether it falls with some other friction."""
+    tried = result.solid.frictions if result.solid else result.frictions
+    return any(each.fall.value > 0.0 for each in tried)
 
 
 def _in_a_plane(result: ItemResult, control: float, rim: list[str]) -> list[str]:

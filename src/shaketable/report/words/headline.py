@@ -62,8 +62,8 @@ def assumed(assessment: Assessment) -> list[str]:
     """What was taken for granted of walls and of earthquakes, and how to say otherwise."""
     walls = {
         Walls.YES: tell(
-            "As was said, most things stand against a wall: one is taken 10 mm behind each that "
-            "stands on feet."
+            "As was said, most things stand against a wall: one is taken 10 mm behind each that is "
+            "not on castors, on furniture or near an edge."
         ),
         Walls.NO: tell("As was said, most things stand free of walls."),
         Walls.EACH: tell("Walls stand where the list says so, and nowhere else."),
@@ -380,10 +380,12 @@ def _worst_floor(floors: Sequence[FloorAssessment]) -> str:
     if len(floors) == 1:
         return ""
     worst = max(floors, key=lambda floor: fate_of(floor.results).falls.value)
+    fate = fate_of(worst.results)
     return tell(
-        ", most of all on {floor}: {share} of 100 pieces there",
+        ", most of all on {floor}: {falls} of {pieces} pieces there",
         floor=floor_name(worst.floor),
-        share=in_hundred(fate_of(worst.results).falls.value),
+        falls=expected_count(fate.pieces * fate.falls.value),
+        pieces=f"{fate.pieces:,}",
     )
 
 

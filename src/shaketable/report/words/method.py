@@ -14,6 +14,7 @@ from shaketable.assess import (
     FRICTIONS,
     STRAP_SHARE,
     Assessment,
+    Walls,
 )
 from shaketable.building import Building
 from shaketable.criteria.kaneko_hayashi_2004 import RISK_CLASSES
@@ -92,7 +93,11 @@ def not_considered(assessment: Assessment) -> str:
     """What no share knows of."""
     slides = assessment.solids or any(each.frictions for each in assessment.results)
     left = [] if slides else [translated(each) for each in assessment.model.not_considered]
-    straps_too = tell("walls, straps and edges that the list does not give")
+    straps_too = (
+        tell("straps and edges that the list does not give")
+        if assessment.walls is Walls.YES
+        else tell("walls, straps and edges that the list does not give")
+    )
     parts = [
         *left,
         straps_too if assessment.solids else tell("walls, straps and edges"),

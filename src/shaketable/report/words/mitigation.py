@@ -9,6 +9,7 @@ from shaketable.assess import (
     Mitigation,
     MitigationKind,
     Premises,
+    is_worse,
 )
 from shaketable.inventory import BaseShape, Item
 from shaketable.language import number, tell, translated
@@ -129,10 +130,16 @@ def outcome(measure: Mitigation, result: ItemResult) -> str:
         )
     if not measure.held_up.value:
         return said
+    held = in_hundred(measure.held_up.value)
+    if result.item.rolls:
+        return tell(
+            "{said}; in {often} of 100 only its wall or strap holds it up", said=said, often=held
+        )
     return tell(
-        "{said}; in {often} of 100 only its wall or strap holds it up",
+        "{said}; it falls in {falls}, and only its wall or strap holds it up in {often}",
         said=said,
-        often=in_hundred(measure.held_up.value),
+        falls=in_hundred(falls),
+        often=held,
     )
 
 
@@ -152,18 +159,31 @@ def sentence(measure: Mitigation, result: ItemResult, premises: Premises) -> str
 
 def of_no_help(result: ItemResult, premises: Premises) -> str:
     """What was tried and does not help clearly, with what it leaves."""
-    named = [
-        tell(
-            "{measure} ({outcome})",
-            measure=short(each, result.item, premises),
-            outcome=outcome(each, result),
+    tried = [each for each in result.tried if each not in result.helpful]
+    worse = [_named(each, result, premises) for each in tried if _is_worse(each, result)]
+    same = [_named(each, result, premises) for each in tried if not _is_worse(each, result)]
+    said = []
+    if same:
+        said.append(tell("Tried without clear benefit: {names}.", names="; ".join(same)))
+    if worse:
+        said.append(
+            tell("With this it falls, or goes far, more often: {names}.", names="; ".join(worse))
         )
-        for each in result.tried
-        if each not in result.helpful
-    ]
-    if not named:
-        return ""
-    return tell("Tried without clear benefit: {names}.", names="; ".join(named))
+    return " ".join(said)
+
+
+def _is_worse(measure: Mitigation, result: ItemResult) -> bool:
+    """Whether more is left after a measure, or falls, by more than chance."""
+    more_left = is_worse(measure.left, result.before)
+    return more_left or is_worse(measure.fall, result.overturns)
+
+
+def _named(measure: Mitigation, result: ItemResult, premises: Premises) -> str:
+    return tell(
+        "{measure} ({outcome})",
+        measure=short(measure, result.item, premises),
+        outcome=outcome(measure, result),
+    )
 
 
 def metres(length: float) -> str:
