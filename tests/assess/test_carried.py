@@ -9,8 +9,11 @@ from dataclasses import replace
 import pytest
 
 from shaketable import Body, General, Motion, assess
-from shaketable.assess import NOT_CLASSED, Assessment, ItemResult
+from shaketable.assess import NOT_CLASSED, Assessment, ItemResult, LevelResult, Share, Walls
 from shaketable.assess.carried import carrier_of, kick_of
+from shaketable.assess.floor import _how_bad
+from shaketable.assess.walls import at_their_walls
+from shaketable.errors import InputError
 from shaketable.inventory import Castors, Item
 from shaketable.records import suite
 from shaketable.report.annex import cards
@@ -166,3 +169,41 @@ def test_how_many_have_no_class_because_of_a_cell(found: Assessment) -> None:
     every = replace(found.floors[0], results=[rack])
     alone = replace(found, floors=[every])
     assert any(each.startswith("Nothing is classed: ") for each in headline.not_as_it_stands(alone))
+
+
+def test_of_two_lock_states_that_which_falls_is_the_worse(found: Assessment) -> None:
+    """A cart that rolls far as often as it falls when it is locked is told as it falls."""
+    free, locked = by(found, "Free cart"), by(found, "Locked cart")
+    assert free.solid is not None
+    assert locked.solid is not None
+    falls = Share(0.31, 0.2, 0.5)
+    far = replace(
+        free,
+        solid=free.solid._replace(level=LevelResult(Share(0.0, 0.0, 0.1), falls), frictions=()),
+    )
+    fell = replace(locked, solid=locked.solid._replace(level=LevelResult(falls, falls)))
+    assert max((far, fell), key=_how_bad) is fell
+    assert max((fell, far), key=_how_bad) is fell
+
+
+def test_a_carrier_that_rolls_away_does_not_rock() -> None:
+    trolley = thing("Trolley", 0.5, 0.7, 0.9, castors=Castors.FREE)
+    assert carrier_of(thing("Jar", 0.1, 0.1, 0.2, stands_on="Trolley"), [trolley]) is None
+
+
+def test_a_wall_is_put_only_where_it_is_simulated(pairs: Sequence[Motion]) -> None:
+    """Not in a plane, nor behind what has no known width, whose class it would cost."""
+    with pytest.raises(InputError, match="in three dimensions alone"):
+        assess([SHELF], pairs, planar=True, walls="yes", progress=False)
+    narrow = replace(SHELF, sideways=None)
+    stands, flat = at_their_walls([SHELF, narrow], Walls.YES)
+    assert stands.surroundings is not None
+    assert flat == narrow
+
+
+def test_an_edge_that_was_not_simulated_is_said(found: Assessment) -> None:
+    bust = by(found, "Bust")
+    assert findings.on_condition(bust) == "If what carries it does not move: "
+    assert findings.on_condition(replace(bust, solid=None)) == (
+        "Without what surrounds it, in a plane: "
+    )

@@ -12,7 +12,8 @@ import pandas as pd
 import pytest
 
 from shaketable import InputError, Motion, SimulationError, assess, open_campaign, run_campaign
-from shaketable.assess import Assessment
+from shaketable.assess import Assessment, Walls
+from shaketable.assess.carried import kick_of
 from shaketable.campaign import assessments
 from shaketable.campaign.as_json import from_json, to_json
 from shaketable.campaign.assessments import Assessments, read_assessment
@@ -24,6 +25,7 @@ from shaketable.campaign.run import run
 from shaketable.campaign.status import estimate, status_of
 from shaketable.inventory import Item, read_inventory
 from shaketable.models import Rocking
+from shaketable.surroundings import Surroundings, Wall
 from tests.support.command import refused, shaketable
 
 pytest.importorskip("zarr", reason="the extra campaign is not installed: pip install '.[campaign]'")
@@ -57,6 +59,19 @@ def test_blocks_are_what_is_found_at_once(work: Assessments, tmp_path: Path) -> 
     assert repr(found.results[0].curves) == repr(once.results[0].curves)
     again = from_json(to_json(once.results[0]))
     assert again.profile == once.results[0].profile
+
+
+def test_what_things_stand_on_and_at_is_known_of_the_whole_list(
+    work: Assessments, tmp_path: Path
+) -> None:
+    """In whatever block what carries it is, and what stands at a wall."""
+    box, cupboard = work.items[0], work.items[3]
+    around = Surroundings(walls=(Wall(gap=0.02),))
+    items = [replace(box, stands_on=f"on {cupboard.name}"), replace(cupboard, surroundings=around)]
+    run(replace(work, items=items, items_per_block=1), tmp_path, progress=False)
+    found, _ = read(tmp_path)
+    assert found.results[0].kick == kick_of(*items)
+    assert found.walls is Walls.EACH
 
 
 def test_only_what_is_missing_is_done(

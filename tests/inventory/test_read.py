@@ -339,6 +339,17 @@ def test_a_location_that_is_furniture_carries(
         ("Narkosegerät", "Schläuche von der Decke", "", False),
         ("Máquina de anestesia", "mangueras del techo", "", False),
         ("Lamp", "comes from the ceiling", "", True),
+        ("Bookcase", "reaches to the ceiling", "", False),
+        ("Estante", "llega al techo", "", False),
+        ("Regal", "reicht bis an die Decke", "", False),
+        ("Bookcase", "should be fixed to the wall", "", False),
+        ("Bookcase", "to be anchored", "", False),
+        ("Bookcase", "next to wall cupboard", "", False),
+        ("Regal", "neben Hängeschrank", "", False),
+        ("Cabinet", "for suspended files", "", False),
+        ("Coat stand", "coats hung on it", "", False),
+        ("Desk", "TV hangs above it", "", False),
+        ("書庫", "突っ張り棒なし", "", False),
         ("Schülerspinde", "nebeneinander, nicht verschraubt", "", False),
         ("Wall cupboard", "", "no", False),  # a column that says it decides
         ("Wall cupboard", "", "yes", False),  # then it is anchored
@@ -374,6 +385,8 @@ def test_what_rolls_does_not_hang(tmp_path: Path) -> None:
         ("con ruedas", Castors.SOME), ("su ruote", Castors.SOME), ("no, on feet", Castors.NONE),
         ("ohne Rollen", Castors.NONE), ("sí, sueltas", Castors.FREE),
         ("yes, brakes on", Castors.LOCKED), ("yes - not locked", Castors.FREE),
+        ("can be locked", Castors.SOME), ("2 of 4 locked", Castors.SOME), ("locked?", Castors.SOME),
+        ("ロックしていない", Castors.SOME),
     ],
 )  # fmt: skip
 def test_cells_of_castors(tmp_path: Path, cell: str, castors: Castors) -> None:
@@ -395,6 +408,18 @@ def test_cells_of_what_fixes_it(tmp_path: Path, cell: str, anchored: bool) -> No
     text = f'name,depth_m,width_m,height_m,Fixed?\nrack,0.5,0.6,1.9,"{cell}"\nbox,1,1,1,\n'
     item, _ = read_inventory(write(tmp_path, text))
     assert (item.anchored, item.unread) == (anchored, ())
+
+
+@pytest.mark.parametrize(
+    "cell",
+    ["unanchored", "unbolted", "to be bolted", "needs a bracket", "strap ordered", "loose cable",
+     "unbefestigt", "unverankert", "soll verankert werden", "Kette bestellt", "falta anclar",
+     "por anclar", "da ancorare", "固定していない", "要固定", "固定予定", "bolted?"],
+)  # fmt: skip
+def test_what_is_not_fixed_yet_is_asked_about_and_simulated(tmp_path: Path, cell: str) -> None:
+    text = f'name,depth_m,width_m,height_m,Fixed?\nrack,0.5,0.6,1.9,"{cell}"\nbox,1,1,1,\n'
+    item, _ = read_inventory(write(tmp_path, text))
+    assert (item.anchored, item.loose, item.unread) == (False, True, ("Fixed?",))
 
 
 def test_a_cell_that_is_not_understood_is_asked_with_what_is_accepted(

@@ -59,16 +59,26 @@ def kick_of(item: Item, carrier: Item) -> Kick:
     return Kick(carrier.name, along / normal, least / h, min(side.left, side.right) / h)
 
 
+def kick_among(item: Item, items: Sequence[Item]) -> Kick | None:
+    """What the furniture does to an item on which it stands, where that is in a list."""
+    carrier = carrier_of(item, items) if item.stands_on else None
+    return kick_of(item, carrier) if carrier else None
+
+
 def carrier_of(item: Item, items: Sequence[Item]) -> Item | None:
     """The one item of a list whose name says on what an object stands; None if none or several do.
 
-    It must stand on the floor itself.
+    It must stand on the floor itself, and not roll away.
     """
     said = item.stands_on.casefold()
     found = [
         each
         for each in items
-        if each is not item and not each.stands_on and each.loose and each.name.casefold() in said
+        if each is not item
+        and not each.stands_on
+        and each.loose
+        and not each.rolls
+        and each.name.casefold() in said
     ]
     longest = max((len(each.name) for each in found), default=0)
     named = {each.name: each for each in found if len(each.name) == longest}

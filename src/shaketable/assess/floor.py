@@ -12,6 +12,7 @@ from shaketable.assess.alike import as_simulated, result_for
 from shaketable.assess.assessment import FloorAssessment, Level
 from shaketable.assess.bases import BASE_GRID, FINER_BASES
 from shaketable.assess.castors import CastorFriction
+from shaketable.assess.classes import CLASSES
 from shaketable.assess.criteria import peaks_of
 from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.item_result import ItemResult
@@ -19,6 +20,7 @@ from shaketable.assess.place import results_of
 from shaketable.assess.plane import Plane
 from shaketable.assess.results import UncertainResult
 from shaketable.assess.shaking import Shaking
+from shaketable.assess.shares import Share
 from shaketable.assess.solids import ShakingInSpace, model_of_solids
 from shaketable.assess.uncertainty import MEMBERS, uncertain_in_space, uncertain_results
 from shaketable.errors import InputError
@@ -70,9 +72,7 @@ class Floor(NamedTuple):
         """
         ways = [lock_states(item) for item in items]
         found = iter(self._assessed([each for some in ways for each in some], uncertainty, done))
-        return [
-            max((next(found) for _ in some), key=lambda each: each.governing_share) for some in ways
-        ]
+        return [max((next(found) for _ in some), key=_how_bad) for some in ways]
 
     def _assessed(self, items: Sequence[Item], uncertainty: bool, done: Done) -> list[ItemResult]:
         kinds: dict[Item, Item] = {}
@@ -116,6 +116,12 @@ class Floor(NamedTuple):
             largest_pga=float(pga.max()),
             artificial=all(_is_artificial(motion) for motion in motions),
         )
+
+
+def _how_bad(result: ItemResult) -> tuple[int, Share, Share]:
+    """Its class, then how often it falls, then how often it falls or goes far."""
+    risk = CLASSES.index(result.risk) if result.risk in CLASSES else -1
+    return risk, result.overturns, result.governing_share
 
 
 def lock_states(item: Item) -> list[Item]:

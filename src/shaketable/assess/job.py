@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from shaketable.assess.advice import with_advice
 from shaketable.assess.assessment import Assessment, Level, worst_of
-from shaketable.assess.carried import Kick, carrier_of, kick_of
+from shaketable.assess.carried import kick_among
 from shaketable.assess.castors import CastorFriction
 from shaketable.assess.floor import floor_of, model_in_space
 from shaketable.assess.mitigation import LEADING, Premises, kinds_of, premises_of
@@ -128,6 +128,10 @@ def assess(
     where = premises_of(premises)
     kinds = kinds_of(mitigations)
     answer = walls_of(walls, items)
+    if answer is Walls.YES and planar:
+        raise InputError(
+            "things are put before walls in three dimensions alone: leave out planar, or answer no"
+        )
     items = at_their_walls(items, answer)
     if where.itself:
         items = [replace(item, must_not_fall=True) for item in items]
@@ -193,7 +197,7 @@ def assess(
         for label, here, _ in places:
             results = shaken[label].assessed(list(here.values()), uncertainty, done)
             numbered = [
-                replace(result, number=number, kick=_kick(result.item, items))
+                replace(result, number=number, kick=kick_among(result.item, items))
                 for number, result in zip(here, results, strict=True)
             ]
             found.append(shaken[label].as_found(label, numbered))
@@ -229,12 +233,6 @@ def _motions_of(motions: Sequence[Motion] | Building) -> list[Motion]:
         floors = [each for there in motions.floors.values() for each in there]
         return list(motions.ground) if motions.computed else floors
     return list(motions)
-
-
-def _kick(item: Item, items: Sequence[Item]) -> Kick | None:
-    """What the furniture does to an item on which it stands, where that is in the list."""
-    carrier = carrier_of(item, items) if item.stands_on else None
-    return kick_of(item, carrier) if carrier else None
 
 
 def require_assessable(

@@ -7,7 +7,7 @@ from dataclasses import replace
 from enum import StrEnum
 
 from shaketable.errors import InputError, quoted
-from shaketable.inventory import RESTITUTION, Item
+from shaketable.inventory import RESTITUTION, Item, solid_of
 from shaketable.surroundings import Surroundings, Wall
 
 WALL_GAP = 0.01  # m: between an object and a wall that it is pushed to, for its skirting board
@@ -52,7 +52,8 @@ def may_stand_at_a_wall(item: Item) -> bool:
     """Whether a wall is put behind an item where most things stand against one."""
     around = item.surroundings
     open_ = around is None or not (around.walls or around.edge)
-    return open_ and item.loose and not (item.rolls or item.stands_on)
+    stays = item.loose and not (item.rolls or item.stands_on)
+    return open_ and stays and solid_of(item, 0.0) is not None
 
 
 def at_their_walls(items: Iterable[Item], walls: Walls) -> list[Item]:

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from shaketable.assess import ItemResult, ProfileResult, results
+from shaketable.assess.carried import Kick
 from shaketable.assess.profiles import Direction, Profile
 from shaketable.assess.shares import Quartiles, Share
 from shaketable.body import Body
@@ -26,7 +27,7 @@ KINDS: dict[str, type] = {
     for kind in (
         Body, Solid, Edge, Pad, Strap, Surroundings, Wall, Rocking, General, Item, Castors,
         BaseShape, Direction, Profile, TiltCurves, Quartiles, Share,
-        ItemResult, ProfileResult, results.AnchorForce, results.CriterionResult,
+        ItemResult, ProfileResult, Kick, results.AnchorForce, results.CriterionResult,
         results.FloorRatios,
         results.FrictionResult, results.LevelResult, results.Mitigation, results.MitigationKind,
         results.Sides, results.Sliding, results.SolidResult, results.StrapForce,

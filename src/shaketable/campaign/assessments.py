@@ -11,7 +11,9 @@ from functools import cached_property
 from typing import Any, ClassVar
 
 from shaketable.assess.assessment import Assessment
+from shaketable.assess.carried import kick_among
 from shaketable.assess.job import assess
+from shaketable.assess.walls import walls_of
 from shaketable.campaign.as_json import from_json, to_json
 from shaketable.campaign.fingerprint import environment, motion_hash, thing_hash
 from shaketable.campaign.motions import StoredMotions
@@ -215,11 +217,14 @@ def read_assessment(work: Assessments, objects: Objects) -> Assessment:
             raise SimulationError(f"{objects.place}: {_name(number)} is gone")
         before = number * work.items_per_block
         found = [from_json(one) for one in json.loads(zlib.decompress(content))]
-        results += [replace(one, number=before + one.number) for one in found]
+        results += [
+            replace(one, number=before + one.number, kick=kick_among(one.item, work.items))
+            for one in found
+        ]
     # assess one item for what all items share: motions, recordings, peaks
     first = work.assessed(work.items[:1])
     floor = replace(first.floors[0], results=results)
-    return replace(first, floors=[floor])
+    return replace(first, floors=[floor], walls=walls_of(None, work.items))
 
 
 def _name(number: int) -> str:

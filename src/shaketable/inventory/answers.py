@@ -31,8 +31,11 @@ def answer_in(text: str) -> bool | None:
 
 def anchored_in(text: str) -> bool | None:
     """The same of what is anchored, where what fixes it is an answer, too: "chain", "4 screws"."""
-    answer = answer_in(text)
-    return hints.fixed_by(plain(text)) if answer is None else answer
+    answer, word = answer_in(text), plain(text)
+    if answer is not None:
+        return answer
+    fixed = hints.fixed_by(word)
+    return None if fixed and hints.doubts(word) else fixed
 
 
 def castors_in(text: str) -> Castors | None:
@@ -50,7 +53,8 @@ def castors_in(text: str) -> Castors | None:
         return None
     if locks is False or _has(word, Castors.FREE):
         return Castors.FREE
-    return Castors.LOCKED if _has(word, Castors.LOCKED) else Castors.SOME
+    locked = _has(word, Castors.LOCKED) and not hints.doubts(word)
+    return Castors.LOCKED if locked else Castors.SOME
 
 
 def _has(text: str, castors: Castors) -> bool:

@@ -48,7 +48,8 @@ _ANCHORED = hint("anchored")
 _KEPT = hint("kept")
 _ROUND = hint("round")
 _HANGS = hint("hangs")
-_FIXING = hint("fixing", before="", after="")
+_FIXING = hint("fixing", after="")
+_DOUBT = hint("doubt")
 _LOCKS = hint("locks", before="", after="")
 _ON_TOP = hint("on_top")
 _ON_A_STAND = hint("on_stand")
@@ -80,7 +81,7 @@ def rolls_on(text: str) -> bool | None:
 
 def mentions_anchors(*texts: str) -> bool:
     """Whether a text says that something is anchored."""
-    return any(_said(_ANCHORED, text) for text in texts)
+    return any(_said(_ANCHORED, text, but=_CARRIED) for text in texts)
 
 
 def mentions_round(name: str) -> bool:
@@ -102,6 +103,11 @@ def fixed_by(text: str) -> bool | None:
     """Whether a cell of what fixes an object names it (a chain, screws) or denies it, or None."""
     said = _said(_FIXING, text), _said(_ANCHORED, text)
     return None if said == (None, None) else any(said)
+
+
+def doubts(text: str) -> bool:
+    """Whether a cell says that something may not be so: planned, missing, in part, "?"."""
+    return bool(_DOUBT.search(text)) or "?" in text or "？" in text
 
 
 def locks_of(text: str) -> bool | None:

@@ -284,7 +284,7 @@ def warn_of_hints(path: Path, items: Sequence[Item]) -> None:
             and mentions_anchors(item.name, item.note)
         ],
         "stand on castors of which it is not known whether they are locked: the worse of both is "
-        "told. Say free or locked in a column 'castors'": [
+        "told, and in a room they are taken as locked. Say free or locked in a column 'castors'": [
             item.name for item in items if item.castors is Castors.SOME
         ],
         "are anchored, and not simulated: their walls, straps, pads and edges are not used": [

@@ -11,7 +11,7 @@ from pathlib import Path
 from shaketable.errors import Fault, named, quoted, refusal
 from shaketable.inventory import Item
 from shaketable.language import tell
-from shaketable.rooms.room import Room, Thing
+from shaketable.rooms.room import Room, Thing, placed_item
 from shaketable.rooms.shapes import before_wall, is_beside
 
 log = logging.getLogger(__name__)
@@ -65,7 +65,7 @@ def furnished(room: Room, items: Sequence[Item], path: str | Path = "") -> Room:
         walls = item.surroundings.walls if item.surroundings else ()
         around = item.surroundings and replace(item.surroundings, walls=())  # the plan has them
         assert item.position is not None
-        stands = replace(item, body=body, surroundings=around or None)
+        stands = replace(placed_item(item), body=body, surroundings=around or None)
         thing = Thing(item=stands, at=item.position)
         if item.wall:
             number = _wall_number(room, item, path)

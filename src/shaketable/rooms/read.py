@@ -57,6 +57,7 @@ from shaketable.rooms.room import (
     Room,
     Swing,
     Thing,
+    placed_item,
 )
 from shaketable.tables.sheet import Cell, Sheet
 from shaketable.toml_file import TomlFile, TomlTable, is_number
@@ -169,7 +170,7 @@ def _things(file: TomlFile) -> list[Thing]:
         if on and (on not in names or (item and on == item.name)):
             table.fault("on", tell("no other thing is called {name}", name=quoted(on)))
         if item is not None and at is not None:
-            found.append(Thing(item=item, at=at, on=on))
+            found.append(Thing(item=placed_item(item), at=at, on=on))
     return found
 
 

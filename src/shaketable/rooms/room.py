@@ -7,10 +7,10 @@ from north, as in an inventory; `plan_angle` alone converts them.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
-from shaketable.inventory import Item
+from shaketable.inventory import Castors, Item
 
 Point = tuple[float, float]
 WAY = 0.80  # m: how wide a way out has to be, if a room does not say
@@ -104,6 +104,13 @@ class Thing:
     @property
     def name(self) -> str:
         return self.item.name
+
+
+def placed_item(item: Item) -> Item:
+    """An item as it stands in a room: castors that may be locked are taken as locked."""
+    if item.castors is not Castors.SOME:
+        return item
+    return replace(item, castors=Castors.LOCKED, lock_known=False)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -67,10 +67,10 @@ def on_condition(result: ItemResult) -> str:
     if result.item.may_be_round:
         return tell("If it is not round: ")
     around = result.item.surroundings
+    if around is not None and not result.solid:
+        return tell("Without what surrounds it, in a plane: ")
     if result.item.support_length is not None or (around is not None and around.edge):
         return tell("If what carries it does not move: ")
-    if result.item.surroundings is not None:
-        return tell("Without what surrounds it, in a plane: ") if not result.solid else ""
     return ""
 
 

@@ -103,7 +103,7 @@ function shaking(thing, suite) {
     }
   });
   const { friction, ...rest } = thing;
-  const known = Object.entries({ ...rest, slides: friction === null ? 0 : 1 }).filter(([, value]) => value !== null);
+  const known = Object.entries({ shape: "side", ...rest, slides: friction === null ? 0 : 1 }).filter(([, value]) => value !== null);
   buttons.append(show, make("a", say("list_shake"), { href: `.#${new URLSearchParams(known)}` }));
   const all = make("div");
   all.append(buttons, make("p", say("list_squarely"), { className: "small" }), verdict, place);

@@ -49,18 +49,21 @@ export function begin() {
     if (value >= field.least && value <= field.most) state[name] = value;
     else state.unusable = true;
   }
+  // links of before the page began with a box say no shape: they are seen from the side
+  const old = told.size > 0 && !told.has("shape");
+  if (old) state.shape = "side";
   if (Object.hasOwn(SHAPES, told.get("shape") ?? "")) state.shape = told.get("shape");
   if (["recording", "pulse"].includes(told.get("kind"))) state.kind = told.get("kind");
   state.name = (told.get("name") ?? "").slice(0, 120);
   state.reverse = told.get("reverse") === "1";
-  state.slides = told.get("slides") === "1";
+  state.slides = old ? told.get("slides") !== "0" : told.get("slides") === "1";
   for (const what of Object.keys(BESIDE)) state[what] = told.get(what) === "1";
   return state;
 }
 
 export function keep(state) {
   const told = new URLSearchParams();
-  if (state.shape !== "box") told.set("shape", state.shape);
+  told.set("shape", state.shape);
   for (const [name, field] of Object.entries(FIELDS)) {
     if (state[name] !== field.given) told.set(name, state[name]);
   }
