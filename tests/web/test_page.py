@@ -82,6 +82,18 @@ def test_it_begins_with_a_box_in_all_directions_that_cannot_slide(page: Any, add
     page.wait_for_selector("canvas:visible")
 
 
+@pytest.mark.parametrize(("link", "slides"), [("width_m=0.33", True), ("slides=0", False)])
+def test_a_link_of_before_it_began_with_a_box(
+    page: Any, address: str, link: str, slides: bool
+) -> None:
+    """It named no shape: it was seen from the side, and could slide unless it said no."""
+    page.goto("about:blank")
+    page.goto(f"{address}/#{link}")
+    page.wait_for_selector("#name option:nth-child(10)", state="attached")
+    assert page.is_checked("[name=shape][value=side]")
+    assert page.is_checked("#slides") is slides
+
+
 def test_one_shaking_and_its_film(page: Any) -> None:
     """The film shows the rotation that `simulate` gives at its time."""
     page.fill("#width_m", "32")
@@ -478,6 +490,7 @@ def test_a_list_from_file_to_report(page: Any, address: str, tmp_path: Path) -> 
     page.locator("#cards .card", has_text="shelf").locator("a").click()  # it is still open
     page.wait_for_selector("#name option:nth-child(10)", state="attached")
     assert page.input_value("#width_m") == "32"
+    assert page.is_checked("[name=shape][value=side]")  # it was assessed in a plane
 
 
 def test_sorting_keeps_a_film_and_places_are_told(page: Any, address: str, tmp_path: Path) -> None:
