@@ -54,9 +54,9 @@ def test_a_lost_plan_deletes_no_blocks(small: dict[str, Any], tmp_path: Path) ->
 def test_a_store_of_another_format_is_told(small: dict[str, Any], tmp_path: Path) -> None:
     run_campaign(**small, store=tmp_path)
     plan = tmp_path / "campaign" / "plan.json"
-    plan.write_text(plan.read_text().replace('"format": 4', '"format": 1'))
+    plan.write_text(plan.read_text().replace('"format": 5', '"format": 1'))
     assert '"format": 1' in plan.read_text()
-    with pytest.raises(SimulationError, match=r"its format is 1, this version reads 4"):
+    with pytest.raises(SimulationError, match=r"its format is 1, this version reads 5"):
         open_campaign(tmp_path)
 
 
@@ -66,10 +66,10 @@ def test_a_store_of_another_format_is_not_gone_on_with(
     """Nor by a worker that sees one; hashes of another format would say what is wrong."""
     run_campaign(**small, store=tmp_path)
     plan = tmp_path / "campaign" / "plan.json"
-    plan.write_text(plan.read_text().replace('"format": 4', '"format": 2').replace('"kind"', '"k"'))
-    with pytest.raises(InputError, match=r"its format is 2, this version reads 4"):
+    plan.write_text(plan.read_text().replace('"format": 5', '"format": 2').replace('"kind"', '"k"'))
+    with pytest.raises(InputError, match=r"its format is 2, this version reads 5"):
         run_campaign(**small, store=tmp_path)
-    with pytest.raises(SimulationError, match=r"its format is 2, this version reads 4"):
+    with pytest.raises(SimulationError, match=r"its format is 2, this version reads 5"):
         site_of(str(tmp_path), "a beginning")
 
 

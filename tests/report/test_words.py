@@ -652,6 +652,12 @@ def test_what_is_held_up_counts_before_and_after_a_measure() -> None:
     )
 
 
+def test_a_locked_cart_is_tethered_where_the_list_says_that_people_are_near() -> None:
+    cart = replace(ITEM, castors=Castors.LOCKED)
+    assert first(of(cart, QUIET)) == "tether it if it could hit somebody"
+    assert first(of(replace(cart, people_nearby=True), QUIET)) == "tether it"
+
+
 def test_what_falls_with_another_friction_alone() -> None:
     """It is never said that nothing overturns it."""
     solid = SOLID._replace(falls=0, level=LevelResult(NONE, NONE))

@@ -176,7 +176,7 @@ def _first(result: ItemResult) -> str:
     if sliding and sliding.walks_off > 0.0:
         return "keep it on its support"
     if item.castors is Castors.LOCKED and not result.overturns.value:
-        return "tether it if it could hit somebody"
+        return "tether it" if _why(item) else "tether it if it could hit somebody"
     return "anchor it" if _why(item) else "anchor it if a fall hurts"
 
 
