@@ -7,10 +7,13 @@ that sets in on a level support. Indices 1 and 2 are the lower and the upper; b 
 sizes (b₂ at most b₁), i² and j² their squared radii of gyration, y₂ = 2 h₁ + h₂.
 
     upper alone   A > g b₂/h₂
-    whole         A > g M_b/M_h,  M_b = (m₁ + m₂) b₁,  M_h = m₁ h₁ + m₂ y₂,  if the upper would not
-                  rock alone; where it does, with τ₂ = (A h₂ - g b₂)/(j² + b₂² + h₂²), its base
-                  pushes the lower less, and the lower begins later, where
-                  m₁ A h₁ + m₂ (A - τ₂ h₂) 2h₁ > m₁ g b₁ + m₂ (g + τ₂ b₂) (b₁ - b₂)
+    whole         A > g M_b/M_h,  M_b = (m₁ + m₂) b₁,  M_h = m₁ h₁ + m₂ y₂
+
+The second holds where the upper would not rock alone. Where it does, with
+τ₂ = (A h₂ - g b₂)/(j² + b₂² + h₂²), its base pushes the lower less, and the lower begins later,
+where
+
+    m₁ A h₁ + m₂ (A - τ₂ h₂) 2h₁ > m₁ g b₁ + m₂ (g + τ₂ b₂) (b₁ - b₂)
 
 As the whole turns with τ = (A M_h - g M_b)/I₀, I₀ = m₁ (i² + b₁² + h₁²) + m₂ (j² + b₁² + y₂²), the
 upper is lifted, too,
