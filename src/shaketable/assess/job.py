@@ -87,10 +87,10 @@ def assess(
         mitigations: kinds that are tried, with all their variants, on every kind of object that
             falls, where it falls most; if none, up to four on each of those that lead the order.
         leading: how many those are; 0 for none.
-        walls: whether most things stand against a wall: "yes" puts one 10 mm behind all that stand
-            on feet and have none, "no" none; "each" takes those that items give. If it is left out
-            things stand free, unless items give walls, and where a wall is tried as a measure its
-            share stands beside.
+        walls: whether most things stand against a wall: "yes" puts one 10 mm behind all that
+            have none and are not on castors, on furniture or near an edge, "no" none; "each" takes
+            those that items give. If it is left out things stand free, unless items give walls, and
+            where a wall is tried as a measure its share stands beside.
 
     Raises:
         InputError: no items or motions, values out of range, an item that falls by itself, or one

@@ -105,9 +105,10 @@ def assess(
     wall: Annotated[
         str | None,
         typer.Option(
-            help="Whether most things stand against a wall: yes puts one 10 mm behind all that "
-            "stand on feet, no none, each takes those of the column wall_gap_mm. [free, with the "
-            "number against a wall beside it where that is tried]"
+            help="Whether most things stand against a wall: yes puts one 10 mm behind what "
+            "is not on castors, on furniture or near an edge; no puts none; each takes those of "
+            "the column wall_gap_mm. [free; where a wall is tried as a measure, with the "
+            "number against one beside it]"
         ),
     ] = None,
     contact_options: ContactOptions,

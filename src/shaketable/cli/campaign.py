@@ -15,12 +15,6 @@ from shaketable.errors import InputError, SimulationError
 from shaketable.progress import duration, rate, size
 from shaketable.report.run_log import RunLog
 
-#: What a campaign counts of bodies that did not fall, in words behind their number.
-ENDS = {
-    "held_up": "leave it held up by its wall or strap alone",
-    "leaning": "leave it leaning on a wall or in a strap",
-}
-
 if TYPE_CHECKING:
     from shaketable.campaign.assessments import Assessments
     from shaketable.campaign.libraries import Libraries
@@ -28,6 +22,12 @@ if TYPE_CHECKING:
     from shaketable.campaign.plan import Plan
     from shaketable.campaign.simulations import Simulations
     from shaketable.campaign.work import Work
+
+#: What a campaign counts of bodies that did not fall, in words behind their number.
+ENDS = {
+    "held_up": "leave it held up by its wall or strap alone",
+    "leaning": "leave it leaning on a wall or in a strap",
+}
 
 campaign = typer.Typer(
     no_args_is_help=True,

@@ -47,8 +47,8 @@ def warn_of(around: Sequence[Surroundings | None], model: Model, *, solid: bool)
     if solid and any(each and each.edge for each in around):
         log.warning(
             "an edge is a rule for solids, and no contact yet: one counts as fallen as soon as its "
-            "centre of pressure crosses it, though it may still come back. In 88 runs of three "
-            "bodies 13, 32 and 30 fell so, and 6, 13 and 8 in the plane, which follows the tipping"
+            "centre of pressure crosses it, though it may still come back. More fall so than in "
+            "the plane, which follows the tipping"
         )
     walls = {wall for each in around if each for wall in each.walls if wall.gap == 0.0}
     back = [w.restitution for w in walls if isinstance(w.restitution, float)]

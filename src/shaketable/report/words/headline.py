@@ -160,8 +160,7 @@ def not_as_it_stands(assessment: Assessment) -> list[str]:
         sentences.append(
             tell(
                 "Near an edge the shares are too high, as an object counts as fallen as soon as "
-                "its centre of pressure crosses it, though it may still come back (13, 32 and 30 "
-                "of 88 in place of 6, 13 and 8): {names}.",
+                "its centre of pressure crosses it, though it may still come back: {names}.",
                 names=named(list(dict.fromkeys(edges)), MOST_NAMED),
             )
         )
