@@ -8,7 +8,8 @@
 # make interop  exported files read by OpenQuake and pelicun
 # make test-web the page in headless Chromium
 # make docs     the site, in docs/_build/html, and every command of every page; DOCS_RUN=0: unrun
-# make fuzz     COUNT (20,000) damaged files of every kind, and each command killed KILLS (3) times
+# make fuzz     COUNT (20,000) damaged files of every kind, and each command killed KILLS (3) times,
+#               interrupted, beside a second writer, on a full disk and by a clock that jumps
 
 PYTHON ?= python3
 VENV := .venv
@@ -47,6 +48,7 @@ test-web: $(VENV)/installed
 fuzz: $(VENV)/installed
 	$(BIN)/python -m tests.fuzz.run --count $(COUNT) --seed $(SEED)
 	$(BIN)/python -m tests.fuzz.kills --count $(KILLS) --seed $(SEED)
+	$(BIN)/python -m tests.fuzz.troubles --count $(KILLS) --seed $(SEED)
 
 lint: $(VENV)/installed
 	$(BIN)/ruff format --check .

@@ -202,7 +202,7 @@ def _begun_by_records(store: Path, count: int, bodies: int) -> float:
             f"NPTS= {motion.horizontal.size}, DT= .01 SEC\n{rows}\n"
         )
     (place / "campaign.toml").write_text(
-        f"[bodies.grid]\nwidth_m = {{from = 0.2, to = 0.6, count = {bodies}}}\nheight_m = 1.8\n"
+        f"[bodies.grid]\nbase_m = {{from = 0.2, to = 0.6, count = {bodies}}}\nheight_m = 1.8\n"
         '[motions]\nof = "records"\n[shaking]\nscales = [0.5, 1.0]\n'
         '[results]\nkeep = "summary"\n'
     )

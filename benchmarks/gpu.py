@@ -1,9 +1,9 @@
-"""`python -m benchmarks.gpu`: both models and solids on a GPU beside the CPU, transfers included.
+"""`python -m benchmarks.gpu`: both planar models on a GPU beside the CPU, transfers included.
 
 Outcomes of all of W1 are compared, and the peaks where a simulation is well conditioned. Where they
-differ the CPU runs them again with widths that differ by some 1e-15 or 1e-12: a member whose
+differ the CPU runs them again with bases that differ by some 1e-15 or 1e-12: a member whose
 outcome changes then was at the edge of falling, on either device. The first time, kernels compile
-for seconds (rocking) to minutes (solids): `--of` takes one at a time, for several side by side.
+for seconds (rocking) to minutes (general): `--of` takes one at a time, for both side by side.
 """
 
 from __future__ import annotations
@@ -18,17 +18,16 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from benchmarks import solids
 from benchmarks.cases import BODIES, TILTS, motions
 from shaketable import Body, General, Rocking, simulate, simulate_many
 from shaketable.engine.cuda import require_gpu
 from shaketable.engine.pool import available_cores
 from shaketable.errors import InputError
-from shaketable.simulate import plane_on_gpu, space_on_gpu
+from shaketable.simulate import plane_on_gpu
 from shaketable.support import Support
 
 MODELS = {"rocking": Rocking(), "general": General(static_friction=0.5)}
-NUDGES = (2e-16, 1e-12)  # of the width, ten of each to either side
+NUDGES = (2e-16, 1e-12)  # of the base, ten of each to either side
 SAME = 1e-9  # rad
 SHOWN = ("outcome", "peak_rotation", "overturning_time", "impacts")
 
@@ -71,11 +70,11 @@ def timed(
 
 
 def at_the_edge(member: dict[str, Any], model: Rocking | General) -> bool:
-    """Whether widths that differ by NUDGES change a member's outcome on the CPU."""
+    """Whether bases that differ by NUDGES change a member's outcome on the CPU."""
     body, motion = BODIES[member["body"]], motions()[member["motion"]]
     motion = motion if member["polarity"] == 0 else motion.reversed()
     near = [
-        Body.rectangle(body.width * (1.0 + k * nudge), 2.0 * body.cg_height)
+        Body.rectangle(body.base * (1.0 + k * nudge), 2.0 * body.cg_height)
         for nudge in NUDGES
         for k in range(-10, 11)
     ]
@@ -103,31 +102,6 @@ def compare(model: Rocking | General) -> None:
          f"{100 * (off < SAME).mean():.3f} %, largest {off.max():.1e} rad")  # fmt: skip
 
 
-def compare_solids(times: int) -> None:
-    """W3 on both devices: outcomes that differ, what that makes of the shares, and the speed.
-
-    What rolls on its rim is chaotic long before it falls, so that more outcomes differ than of
-    planar bodies; the shares must not.
-    """
-    motions = solids.pairs()
-    start = time.perf_counter()
-    solids.shaken(solids.boxes()[:1], motions[:1], "cuda")
-    told(f"the first simulation, which compiles: {time.perf_counter() - start:.0f} s")
-    for name, some in (("boxes", solids.boxes()), ("cylinders", solids.cylinders())):
-        here, there = (solids.shaken(some, motions, device) for device in ("cpu", "cuda"))
-        fell = [(runs["outcome"] != 0).values for runs in (here, there)]
-        differ = int((here["outcome"] != there["outcome"]).sum())
-        shares = " and ".join(f"{100 * each.mean():.2f} %" for each in fell)
-        told(f"W3, {name}: {differ} of {fell[0].size:,} outcomes differ; {shares} overturn")
-        for device, often in (("cpu", 1), ("cuda", 1), ("cuda", times)):
-            with in_kernels(space_on_gpu, "run_solids_on_gpu") as seconds:
-                start = time.perf_counter()
-                runs = solids.shaken(some * often, motions, device)
-                rate = runs["outcome"].size / (time.perf_counter() - start)
-            told(f"W3 × {often}, {name}, on {where(device)}: {rate:,.0f} simulations/s"
-                 + (f", {sum(seconds):.2f} s in the kernel" if seconds else ""))  # fmt: skip
-
-
 def where(device: str) -> str:
     return device if device == "cuda" else f"{device}, {available_cores()} cores"
 
@@ -149,7 +123,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--times", type=int, default=100, help="W1 so many times over")
     parser.add_argument("--rounds", type=int, default=3)
-    parser.add_argument("--of", nargs="+", choices=[*MODELS, "solids"], default=[*MODELS, "solids"])
+    parser.add_argument("--of", nargs="+", choices=[*MODELS], default=[*MODELS])
     given = parser.parse_args()
     try:
         cuda = require_gpu()
@@ -159,10 +133,7 @@ def main() -> None:
     told(f"{cuda.get_current_device().name}; {packages}")
     for name in given.of:
         told(f"\n{name}")
-        if name == "solids":
-            compare_solids(max(1, given.times // 10))
-        else:
-            compare_planar(MODELS[name], given.times, given.rounds)
+        compare_planar(MODELS[name], given.times, given.rounds)
 
 
 if __name__ == "__main__":

@@ -42,9 +42,6 @@ Slope = tuple[str, bool, bool]
 OTHER_SEED = 1000
 HALVES = 40  # ways to part the earthquakes
 CLUSTER = 256  # cores
-#: An H100 simulates half as many boxes as 16 cores beside it (docs/how_to/campaigns.md), so four
-#: times as many as two; free things alone, as walls and straps have no kernel there.
-ON_GPU = 4.0
 
 
 def direct(work: Libraries, runs: list[CaseRuns], rows: int, seed: int) -> None:
@@ -191,12 +188,10 @@ def cost() -> None:
     print("")
     for name, found in libraries.items():
         total = sum(seconds[_slope(case)] for case in found.cases)
-        free = sum(seconds[_slope(case)] for case in found.cases if case.held.wall_gap is None)
         things = len({case.thing.name for case in found.cases})
-        print(f"{name}: {found.blocks:,} cases of {things} things; {duration(total)} on two cores "
-              f"like these, {duration(2 * total / CLUSTER)} on {CLUSTER} such cores; what stands "
-              f"away from walls alone {duration(free)}, or {duration(free / ON_GPU)} on a GPU on "
-              "paper")  # fmt: skip
+        of = f"{found.blocks:,} cases of {things} things"
+        on_paper = f"{duration(2 * total / CLUSTER)} on {CLUSTER} such cores on paper"
+        print(f"{name}: {of}; {duration(total)} on two cores like these, {on_paper}")
     for (held, on_floor, is_round), each in sorted(seconds.items()):
         print(f"  {held:6} {'floor ' if on_floor else 'ground'} "
               f"{'round' if is_round else 'box  '} {each:.1f} s a case")  # fmt: skip

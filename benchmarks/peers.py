@@ -175,11 +175,11 @@ def mujoco_contact(
     gravity; outcome, peak rotation, slip at the end. Beyond 80° it counts as overturned."""
     import mujoco as mj
 
-    width, height = body.width, 2 * body.cg_height
+    width, height = body.base, 2 * body.cg_height
     depth = 4 * height
     friction = min(static_friction, 5.0)
     contact = f'friction="{friction} 0.005 0.0001" solref="{4 * step} 1"'
-    middle = body.width / 2 - body.left  # of the box, from the centre of gravity's foot
+    middle = body.base / 2 - body.left  # of the box, from the centre of gravity's foot
     inertia = body.gyration_radius**2
     model = mj.MjModel.from_xml_string(f"""
       <mujoco><option timestep="{step}" integrator="implicitfast" cone="elliptic" impratio="50"/>

@@ -37,7 +37,7 @@ def cylinders() -> list[Solid]:
     return [Solid.cylinder(width, height) for width, height in TABLE_1]
 
 
-def shaken(solids: Sequence[Solid], motions: Sequence[Motion], device: str = "cpu") -> xr.Dataset:
+def shaken(solids: Sequence[Solid], motions: Sequence[Motion]) -> xr.Dataset:
     """W3's runs of some solids under some pairs."""
     return simulate_many(
         solids,
@@ -46,7 +46,6 @@ def shaken(solids: Sequence[Solid], motions: Sequence[Motion], device: str = "cp
         orientations=ORIENTATIONS,
         polarities=(1,),
         model=MODEL,
-        device=device,
         progress=False,
     )
 

@@ -21,7 +21,7 @@ HALF = 1_100  # headers
 UNFINISHED, LENGTH = 400, 2_400_000  # questions, and the bytes that each of them names
 DEAR = 8  # questions with little friction
 LISTS = 98
-THING = {"width_m": 0.3, "height_m": 1.8}
+THING = {"base_m": 0.3, "height_m": 1.8}
 PULSE = {"kind": "pulse", "period_s": 0.5, "peak_g": 0.3}
 
 

@@ -29,7 +29,7 @@ HOSPITAL = Assess(name="hospital.csv", text=example_inventory().read_text("utf-8
 
 
 def thing_of(visitor: int) -> Thing:
-    return Thing(width_m=0.2 + 0.01 * (visitor % 60), height_m=1.8, friction=0.5)
+    return Thing(base_m=0.2 + 0.01 * (visitor % 60), height_m=1.8, friction=0.5)
 
 
 async def ask(client: httpx.AsyncClient, path: str, question: Any, visitor: int) -> Any:

@@ -32,7 +32,9 @@ def main() -> None:
                 page.goto(address)
                 page.wait_for_selector("#name option:nth-child(10)", state="attached")
                 page.check(f"[name=shape][value={shape}]")
-                page.fill("#width_m", "120")  # it stands, so that the film is long
+                page.fill(
+                    "#depth_m" if shape == "box" else "#base_m", "120"
+                )  # it stands, so that the film is long
                 page.wait_for_timeout(1000)
                 first = [first_picture(page) for _ in range(TIMES)]
                 print(

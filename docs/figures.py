@@ -155,7 +155,7 @@ def falls() -> None:
     motions = suite(SUITE)
     found = fragility(SHELF, motions, limit_states=("uplift", "rocks 0.5 α", "overturns"))
     save(found.plot(), "fragility", 90)
-    bodies = [Body.rectangle(size.width, size.height) for size in TABLE_1]
+    bodies = [Body.rectangle(size.base, size.height) for size in TABLE_1]
     save(plot_two_measures(vector_fragility(bodies, motions, draws=0)), "two_measures", 90)
     save(plot_capacities(ida(SHELF, motions), 100.0, "cm/s"), "capacities", 90)
     axis = np.linspace(0.05, 12.0, 240)

@@ -97,7 +97,7 @@ def start(made: Path) -> None:
         with subprocess.Popen([program, "serve", "--port", "0"], **given) as page:
             try:
                 address = page.stdout.readline().split()[0]
-                falls = _asked(f"{address}api/many", {"thing": {"width_m": 0.32, "height_m": 1.8}})
+                falls = _asked(f"{address}api/many", {"thing": {"base_m": 0.32, "height_m": 1.8}})
             finally:
                 page.terminate()
         told = f"{falls['falls']} of {falls['simulations']} shakings overturn a bookcase"

@@ -16,7 +16,7 @@ SHAKETABLE = (sys.executable, "-m", "shaketable")
 LIST = "name,depth_m,width_m,height_m\nbookcase,0.32,0.8,1.8\n"
 CAMPAIGN = """
 [bodies.grid]
-width_m = [0.3]
+base_m = [0.3]
 height_m = [1.5]
 [motions]
 of = ["near-field-pulse"]
@@ -45,7 +45,7 @@ WORKS = {
     "rooms": NEEDS["rooms"],
     "studies": "study --help",
     "docx": NEEDS["docx"],
-    "gltf": "simulate --width-m 0.3 --depth-m 0.4 --height-m 1.5 --animate box.glb",
+    "gltf": "simulate --depth-m 0.3 --width-m 0.4 --height-m 1.5 --animate box.glb",
     "web": "",
 }
 PYTHON = """

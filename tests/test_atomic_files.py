@@ -169,7 +169,7 @@ def test_a_full_disk_leaves_no_half_picture(tmp_path: Path, command: str) -> Non
     record.write_text(record_files.at2())
     out = tmp_path / "out"
     out.mkdir()
-    thing = ["--width-m", "0.3", "--height-m", "1.8", "--record", str(record)]
+    thing = ["--base-m", "0.3", "--height-m", "1.8", "--record", str(record)]
     arguments = {
         "simulate": ["simulate", *thing, "--plot", str(out / "a.png")],
         "animate": ["simulate", *thing, "--animate", str(out / "a.gif")],
@@ -236,7 +236,7 @@ def test_a_picture_does_not_take_the_place_of_the_record(tmp_path: Path) -> None
     record = tmp_path / "a.svg"
     record.write_text(record_files.csv())
     run = shaketable(
-        "simulate", "--width-m", 0.3, "--height-m", 1.8, "--record", record, "--plot", record
+        "simulate", "--base-m", 0.3, "--height-m", 1.8, "--record", record, "--plot", record
     )
     assert run.returncode == 2
     assert "is the record" in run.stderr

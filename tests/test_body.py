@@ -22,9 +22,9 @@ def test_rectangle() -> None:
 
 
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.nan, math.inf])
-@pytest.mark.parametrize("field", ["width", "cg_height", "gyration_radius"])
+@pytest.mark.parametrize("field", ["base", "cg_height", "gyration_radius"])
 def test_body_sizes_are_positive(field: str, bad: float) -> None:
-    good = {"width": 0.3, "cg_height": 0.5, "left": 0.1, "gyration_radius": 0.3}
+    good = {"base": 0.3, "cg_height": 0.5, "left": 0.1, "gyration_radius": 0.3}
     with pytest.raises(InputError, match=field):
         Body(**{**good, field: bad})
 
@@ -42,7 +42,7 @@ def test_body_sizes_are_those_of_things(bad: float) -> None:
         lambda: Body.rectangle(0.3, None),
         lambda: Body.rectangle(0.3, 1.0, eccentricity="middle"),
         lambda: Body.rectangle(0.3, 1.0, restitution_factor=[0.9]),
-        lambda: Body(width=0.3, cg_height=0.5, left=None, gyration_radius=0.3),
+        lambda: Body(base=0.3, cg_height=0.5, left=None, gyration_radius=0.3),
         lambda: Support(tilt="5°"),
         lambda: Rocking(restitution="0.9"),
         lambda: Rocking(restitution_factor=None),
@@ -64,7 +64,7 @@ def test_what_is_no_number_is_refused(make: Callable[[], object]) -> None:
 @pytest.mark.parametrize("left", [0.0, 0.3, -0.1, 0.31, math.nan])
 def test_centre_of_gravity_stands_over_the_base(left: float) -> None:
     with pytest.raises(InputError, match="inside the base"):
-        Body(width=0.3, cg_height=0.5, left=left, gyration_radius=0.3)
+        Body(base=0.3, cg_height=0.5, left=left, gyration_radius=0.3)
 
 
 @pytest.mark.parametrize("eccentricity", [0.0, 1.0, -0.2, math.nan])
@@ -82,13 +82,13 @@ def test_support_ranges(tilt: float) -> None:
 @pytest.mark.parametrize("factor", [0.0, 1.001, -0.5, math.nan])
 def test_restitution_factor_of_a_body(factor: float) -> None:
     with pytest.raises(InputError, match=r"restitution_factor, the share .* in \(0, 1\]"):
-        Body(width=0.3, cg_height=0.5, left=0.15, gyration_radius=0.3, restitution_factor=factor)
+        Body(base=0.3, cg_height=0.5, left=0.15, gyration_radius=0.3, restitution_factor=factor)
 
 
 def test_each_is_one_readable_line() -> None:
     body = Body.rectangle(0.3, 1.0, eccentricity=0.4, name="shelf")
     assert repr(body) == (
-        "Body('shelf', width=0.3 m, cg_height=0.5 m, left=0.12 m, gyration_radius=0.3014 m)"
+        "Body('shelf', base=0.3 m, cg_height=0.5 m, left=0.12 m, gyration_radius=0.3014 m)"
     )
     motion = Motion([0.0, 9.80665, 0.0], 0.01, name="jolt")
     assert repr(motion) == "Motion('jolt', 3 samples of 0.01 s, peak 1 g)"
@@ -96,7 +96,7 @@ def test_each_is_one_readable_line() -> None:
 
 def test_everything_is_frozen() -> None:
     motion = Motion([0.0, 1.0], 0.01)
-    for thing, field in [(Body.rectangle(1, 2), "width"), (Support(), "tilt"), (motion, "name")]:
+    for thing, field in [(Body.rectangle(1, 2), "base"), (Support(), "tilt"), (motion, "name")]:
         with pytest.raises(dataclasses.FrozenInstanceError):
             setattr(thing, field, 1)
     with pytest.raises(ValueError, match="read-only"):

@@ -288,7 +288,7 @@ def test_one_name_may_stand_on_several_floors(tmp_path: Path) -> None:
     assert [(item.name, item.floor) for item in read_inventory(path)] == [
         ("shelf", "1"), ("shelf", "3"), ("box", "3"),
     ]  # fmt: skip
-    path.write_text(f"{THINGS}shelf,0.4,1.8,1,3\n")
+    path.write_text(f"{THINGS}{THINGS.splitlines()[2]}\n")
     with pytest.raises(InputError, match="line 5, name: 'shelf' is also on line 3"):
         read_inventory(path)
 

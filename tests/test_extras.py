@@ -16,7 +16,7 @@ from shaketable.cli import main, study
 from shaketable.cli.serve import serve
 from shaketable.drawing.files import require_scene
 from shaketable.extras import EXTRAS, remedy, require
-from shaketable.records.miniseed import read
+from shaketable.records.seismological import read
 
 PROJECT = Path(__file__).parents[1] / "pyproject.toml"
 FOR_DEVELOPERS = {"test", "lint", "bench", "docs"}

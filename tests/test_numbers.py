@@ -34,7 +34,7 @@ ONE = np.float32(1.0)
     "thing",
     [
         Body(
-            width=1, cg_height=ONE, left=np.float16(0.5), gyration_radius=True, restitution_factor=1
+            base=1, cg_height=ONE, left=np.float16(0.5), gyration_radius=True, restitution_factor=1
         ),
         Solid.cylinder(1, np.int64(2)),
         Solid(np.array([[-1, -1], [1, -1], [0, 1]]), 1, np.eye(3, dtype=int), height=2, rise=0),
@@ -113,7 +113,7 @@ def test_exponents_in_tables(tmp_path: Path) -> None:
         "name,width_m,height_m,latitude,longitude\na,3d-1,18D-1,1d1,2d1\n"
     )
     (item,) = read_inventory(tmp_path / "list.csv")
-    assert item.body.width == 0.3
+    assert item.body.base == 0.3
     (tmp_path / "prior.csv").write_text("parameter,low,high\nslenderness,0.9d0,1.1d0\n")
     assert read_prior(tmp_path / "prior.csv").slenderness.high == 1.1
 
@@ -142,10 +142,10 @@ def test_damaged_hazard(tmp_path: Path) -> None:
 
 def test_peaks_that_no_ground_has() -> None:
     said = refused(
-        "criteria", "--width-m", 0.3, "--height-m", 1.8, "--pga-g", 1e300, "--pgv-cm-s", 40
+        "criteria", "--base-m", 0.3, "--height-m", 1.8, "--pga-g", 1e300, "--pgv-cm-s", 40
     )
     assert "--pga-g must be between 0 and 100" in said
     said = refused(
-        "criteria", "--width-m", 0.3, "--height-m", 1.8, "--pga-g", 0.3, "--pgv-cm-s", 1e300
+        "criteria", "--base-m", 0.3, "--height-m", 1.8, "--pga-g", 0.3, "--pgv-cm-s", 1e300
     )
     assert "--pgv-cm-s must be between 0 and 10000" in said

@@ -75,7 +75,7 @@ def test_the_main_job_needs_no_extra_and_compiles_nothing(tmp_path: Path) -> Non
     assert "compiling" not in said.stdout + said.stderr
     rows = "".join(f"{0.01 * k:.2f},{0.3 * (-1) ** (k // 20):.1f}\n" for k in range(200))
     (home / "record.csv").write_text(f"time_s,acceleration_g\n{rows}")
-    shelf = ("--width-m", "0.3", "--height-m", "1.5", "--record", "record.csv")
+    shelf = ("--base-m", "0.3", "--height-m", "1.5", "--record", "record.csv")
     for model in (
         [],
         ["--model", "general", "--static-friction", "0.4"],

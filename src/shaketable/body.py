@@ -17,10 +17,10 @@ class Body:
     Its mass cancels, but where a strap or glue holds it.
 
     Args:
-        width: base width B [m].
+        base: B, its size along the shaking [m].
         cg_height: height h of the centre of gravity above the base [m].
         left: distance b_L from the left corner, the one toward -x, to the foot of the centre of
-            gravity [m]; `width / 2` is a symmetric body.
+            gravity [m]; `base / 2` is a symmetric body.
         gyration_radius: radius of gyration i about the centre of gravity [m].
         restitution_factor: multiplies the angular velocity that a rocking impact leaves, in
             (0, 1]; if given, it takes precedence over the model's.
@@ -34,7 +34,7 @@ class Body:
             of gravity that is not strictly between the corners, or a factor outside its range.
     """
 
-    width: float
+    base: float
     cg_height: float
     left: float
     gyration_radius: float
@@ -44,14 +44,14 @@ class Body:
     height: float | None = None
 
     def __post_init__(self) -> None:
-        require_size("Body.width [m]", self.width)
+        require_size("Body.base [m]", self.base)
         require_size("Body.cg_height [m]", self.cg_height)
         require_size("Body.gyration_radius [m]", self.gyration_radius)
         require_number("Body.left [m]", self.left)
-        if not 0.0 < self.left < self.width:
+        if not 0.0 < self.left < self.base:
             raise InputError(
                 "Body.left [m], the centre of gravity's distance from the left corner, must lie "
-                f"inside the base, between 0 and the width {self.width!r}, got {self.left!r}"
+                f"inside the base, between 0 and {self.base!r}, got {self.left!r}"
             )
         if self.restitution_factor is not None:
             require_factor("Body.restitution_factor", self.restitution_factor)
@@ -65,14 +65,14 @@ class Body:
                     f"got {self.height!r}"
                 )
         keep_floats(
-            self, "width", "cg_height", "left", "gyration_radius", "restitution_factor", "mass",
+            self, "base", "cg_height", "left", "gyration_radius", "restitution_factor", "mass",
             "height",
         )  # fmt: skip
 
     @classmethod
     def rectangle(
         cls,
-        width: float,
+        base: float,
         height: float,
         *,
         eccentricity: float = 0.5,
@@ -83,7 +83,7 @@ class Body:
         """A rectangle of the given full sizes [m], its radius of gyration as if homogeneous.
 
         Args:
-            width: B [m].
+            base: B, along the shaking [m].
             height: H [m]; the centre of gravity lies at H/2.
             eccentricity: ν1 = b_L / B in (0, 1); 0.5 is symmetric. It moves the foot of the
                 centre of gravity and leaves i² = (B² + H²)/12 as it is, as in Boroschek and Romo
@@ -93,19 +93,19 @@ class Body:
         Raises:
             InputError: as for any body, or ν1 outside (0, 1).
         """
-        require_size("width [m]", width)
+        require_size("base [m]", base)
         require_size("height [m]", height)
         require_number("eccentricity", eccentricity)
         if not 0.0 < eccentricity < 1.0:
             raise InputError(
-                "eccentricity (b_L / width, 0.5 is symmetric) must lie between 0 and 1, "
+                "eccentricity (b_L / base, 0.5 is symmetric) must lie between 0 and 1, "
                 f"got {eccentricity!r}"
             )
         return cls(
-            width=width,
+            base=base,
             cg_height=height / 2,
-            left=eccentricity * width,
-            gyration_radius=math.sqrt((width**2 + height**2) / 12),
+            left=eccentricity * base,
+            gyration_radius=math.sqrt((base**2 + height**2) / 12),
             restitution_factor=restitution_factor,
             name=name,
             mass=mass,
@@ -114,7 +114,7 @@ class Body:
     @property
     def right(self) -> float:
         """Distance b_R of the centre of gravity's foot from the right corner [m]."""
-        return self.width - self.left
+        return self.base - self.left
 
     @property
     def whole_height(self) -> float:
@@ -137,13 +137,13 @@ class Body:
         return -self.slenderness_right, self.slenderness_left
 
     def __repr__(self) -> str:
-        foot = "" if self.left == self.width / 2 else f", left={self.left:.4g} m"
+        foot = "" if self.left == self.base / 2 else f", left={self.left:.4g} m"
         factor = "" if self.restitution_factor is None else f", factor {self.restitution_factor:g}"
         factor += "" if self.mass is None else f", mass={self.mass:.4g} kg"
         factor += "" if self.height is None else f", height={self.height:.4g} m"
         name = f"{self.name!r}, " if self.name else ""
         return (
-            f"Body({name}width={self.width:.4g} m, cg_height={self.cg_height:.4g} m{foot}, "
+            f"Body({name}base={self.base:.4g} m, cg_height={self.cg_height:.4g} m{foot}, "
             f"gyration_radius={self.gyration_radius:.4g} m{factor})"
         )
 

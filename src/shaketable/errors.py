@@ -61,8 +61,15 @@ class Fault(NamedTuple):
 
     def __str__(self) -> str:
         place = ", ".join(str(each) for each in (self.path, self.where, self.column) if each)
-        said = f"{self.text}; {self.mend}" if self.mend else self.text
-        return f"{place}: {said}" if place else said
+        return f"{place}: {self.said}" if place else self.said
+
+    @property
+    def said(self) -> str:
+        """What is wrong and how to mend it; after a question, the answer is a sentence."""
+        text, mend = str(self.text), str(self.mend)
+        if mend and text.endswith("?"):
+            return f"{text} {mend[0].upper()}{mend[1:]}"
+        return f"{text}; {mend}" if mend else text
 
 
 Refusal = TypeVar("Refusal", bound=InputError)

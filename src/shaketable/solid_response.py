@@ -29,6 +29,7 @@ class Contact(IntEnum):
     SIDE = 2
     BASE = 3
     WALL = 4  # the body presses against a wall
+    EDGE = 5  # the edge of its support, or the lip there, bears a part of it
 
 
 class Grip(IntEnum):

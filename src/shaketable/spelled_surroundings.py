@@ -7,6 +7,7 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import NamedTuple
 
 from shaketable.body import Body
 from shaketable.errors import InputError, quoted
@@ -29,12 +30,55 @@ EXAMPLE = "top:slack=5mm,stiffness=100kN/m"
 _QUANTITY = re.compile(rf"({NUMBER})\s*([A-Za-z/]+)", re.ASCII)
 
 
+class BodyStrap(NamedTuple):
+    """A strap from the middle of a side of some body, which is toward its back or another azimuth.
+
+    Attributes:
+        numbers: of a Strap, by their names, in SI: its stiffness, and what else is given.
+        height: where it begins [m]; None at the top.
+        anchor: where it ends, as of a Strap [m]; None: straight behind its point.
+    """
+
+    numbers: Mapping[str, float]
+    height: float | None = None
+    anchor: tuple[float, ...] | None = None
+
+    def on(
+        self,
+        body: Body | Solid,
+        orientation: float = 0.0,
+        side: float = 0.0,
+        behind: float = AWAY,
+    ) -> Strap:
+        """The strap of a body, a solid turned by an orientation [rad].
+
+        Args:
+            body, orientation: what it holds.
+            side: of a solid, where it begins, from its +x [rad].
+            behind: how far behind its point it ends, where it has no anchor [m].
+
+        Raises:
+            InputError: it cannot be.
+        """
+        planar = isinstance(body, Body)
+        top = body.whole_height if isinstance(body, Body) else body.height or 2.0 * body.cg_height
+        z = top if self.height is None else self.height
+        at = complex(body.right) if isinstance(body, Body) else _middle(body, side)
+        turned = (at + behind * cmath.exp(1j * side)) * cmath.exp(1j * orientation)
+        anchor = self.anchor or ((turned.real, z) if planar else (turned.real, turned.imag, z))
+        point = (at.real, z) if planar else (at.real, at.imag, z)
+        if len(anchor) != len(point):
+            lengths = "two lengths X/Z in the plane" if planar else "three lengths X/Y/Z"
+            raise InputError(f"a strap's anchor has {lengths}, found {len(anchor)}")
+        return Strap(point=point, anchor=anchor, **self.numbers)
+
+
 def surroundings_of(
     body: Body | Solid,
     orientation: float = 0.0,
     *,
     side: float = 0.0,
-    straps: Sequence[str] = (),
+    straps: Sequence[BodyStrap] = (),
     wall_gap: float | None = None,
     wall_friction: float | None = None,
     wall_restitution: float | None = None,
@@ -49,7 +93,7 @@ def surroundings_of(
         body: what is surrounded.
         orientation: by which a solid is turned [rad]; the wall and the straps turn with it.
         side: of a solid, toward which the wall stands and straps go, from its +x [rad].
-        straps: each as EXAMPLE spells it.
+        straps: each by where it begins.
         wall_gap: distance of a wall from that side [m].
         wall_friction, wall_restitution: of the wall, where they are not the usual ones.
         wall_vertical: as of a Wall.
@@ -80,46 +124,33 @@ def surroundings_of(
     behind = wall_gap or AWAY
     around = Surroundings(
         walls=walls,
-        straps=tuple(strap_of(text, body, orientation, side, behind) for text in straps),
+        straps=tuple(each.on(body, orientation, side, behind) for each in straps),
         edge=ends,
         pad=None if pull_off is None else Pad(pull_off=pull_off),
     )
     return around or None
 
 
-def strap_of(
-    text: str,
-    body: Body | Solid,
-    orientation: float = 0.0,
-    side: float = 0.0,
-    behind: float = AWAY,
-) -> Strap:
-    """The strap of a body, a solid turned by an orientation [rad], as EXAMPLE spells it.
-
-    It begins in the middle of a side, which is toward +x or, of a solid, toward another azimuth of
-    its own [rad]. Without an anchor it ends straight behind its point, by `behind` [m].
+def read_strap(text: str) -> BodyStrap:
+    """A strap as EXAMPLE spells it.
 
     Raises:
-        InputError: it cannot be read, or cannot be.
+        InputError: it cannot be read.
     """
     place, colon, rest = text.partition(":")
     if not colon:
         raise InputError(f"a strap is written like {EXAMPLE}; found {quoted(text)}")
-    planar = isinstance(body, Body)
-    height = body.whole_height if isinstance(body, Body) else body.height or 2.0 * body.cg_height
-    z = height if place.strip() == "top" else _quantity(place, LENGTHS, "the height")
-    at = complex(body.right) if isinstance(body, Body) else _middle(body, side)
+    height = None if place.strip() == "top" else _quantity(place, LENGTHS, "the height")
     given: dict[str, float] = {}
-    turned = (at + behind * cmath.exp(1j * side)) * cmath.exp(1j * orientation)
-    anchor = [turned.real, z] if planar else [turned.real, turned.imag, z]
+    anchor: tuple[float, ...] | None = None
+    named: set[str] = set()
     for part in rest.split(","):
         name, _, value = (each.strip() for each in part.partition("="))
+        if name in named:
+            raise InputError(f"the strap {quoted(text)} gives its {name} twice: give it once")
+        named.add(name)
         if name == "anchor":
-            numbers = [_quantity(each, LENGTHS, "anchor") for each in value.split("/")]
-            if len(numbers) != len(anchor):
-                lengths = "two lengths X/Z in the plane" if planar else "three lengths X/Y/Z"
-                raise InputError(f"a strap's anchor has {lengths}, found {quoted(value)}")
-            anchor = numbers
+            anchor = tuple(_quantity(each, LENGTHS, "anchor") for each in value.split("/"))
         elif name in UNITS:
             given[name] = _quantity(value, UNITS[name], name)
         else:
@@ -127,8 +158,7 @@ def strap_of(
             raise InputError(f"a strap has no {quoted(name)}; accepted: {accepted}")
     if "stiffness" not in given:
         raise InputError(f"the strap {quoted(text)} has no stiffness, such as stiffness=100kN/m")
-    point = (at.real, z) if planar else (at.real, at.imag, z)
-    return Strap(point=point, anchor=tuple(anchor), **given)
+    return BodyStrap(given, height, anchor)
 
 
 def metres(millimetres: float | None) -> float | None:

@@ -118,6 +118,16 @@ class Strap:
             raise InputError("a Strap has slack or pretension, not both")
         keep_floats(self, "stiffness", "slack", "damping", "pretension", "strength")
 
+    @property
+    def stretch_at_start(self) -> float:
+        """By which its pretension has stretched it [m]."""
+        return self.pretension / self.stiffness
+
+    @property
+    def excess(self) -> float:
+        """How much longer it is than its way at the start [m], negative where that stretches it."""
+        return self.slack - self.stretch_at_start
+
     def pulls(
         self, length: NDArray[np.float64], rate: NDArray[np.float64], start: float
     ) -> NDArray[np.float64]:
@@ -126,7 +136,7 @@ class Strap:
         Args:
             start: the distance from point to anchor at the start [m].
         """
-        stretch = length - start - self.slack + self.pretension / self.stiffness
+        stretch = length - start - self.excess
         force = self.stiffness * stretch + self.damping * rate
         return np.where(stretch > 0.0, np.maximum(force, 0.0), 0.0)
 

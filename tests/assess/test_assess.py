@@ -88,21 +88,21 @@ def test_off_centre_falls_to_its_short_side(result: Assessment) -> None:
 
 
 def test_safe_base_is_safe_and_smallest(result: Assessment, motions: list[Motion]) -> None:
-    item, base = ITEMS[0], result.table["plane_safe_width_m"][0]
+    item, base = ITEMS[0], result.table["plane_safe_base_m"][0]
 
     def share(width: float) -> float:
         runs = simulate_many([widened(item.body, width)], motions, progress=False)
         return float((runs.outcome != 0).mean())
 
-    assert base > item.body.width
+    assert base > item.body.base
     assert share(base) <= ACCEPTED_FALLS
     # the width tried just below it is not safe
-    grid = BASE_GRID * item.body.width
+    grid = BASE_GRID * item.body.base
     k = int(np.searchsorted(grid, base)) - 1
     assert share(base - (grid[k + 1] - grid[k]) / (FINER_BASES + 1)) > ACCEPTED_FALLS
     crate = result.table.iloc[1]
     assert crate["falls"] == 0
-    assert crate["plane_safe_width_m"] < crate["base_along_direction_m"]
+    assert crate["plane_safe_base_m"] < crate["base_along_direction_m"]
 
 
 def test_a_tilted_support_and_a_scale(motions: list[Motion]) -> None:
@@ -121,7 +121,7 @@ def test_many_items_are_taken_in_bounded_pieces(motions: list[Motion]) -> None:
     result = assess(items, motions[:1], progress=seen.append)
     assert len(result.table) == 300
     alone = assess(items[299:], motions[:1], progress=False).table.iloc[0]
-    for column in ("falls", "plane_safe_width_m", "plane_peak_rotation_median_deg"):
+    for column in ("falls", "plane_safe_base_m", "plane_peak_rotation_median_deg"):
         assert result.table[column][299] == alone[column]
 
 

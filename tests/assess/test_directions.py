@@ -56,7 +56,7 @@ def test_the_worse_direction_leads(motions: list[Motion]) -> None:
     (other,) = assess([turned], motions, progress=False).results
     assert other.profile.direction is Direction.SIDE_TO_SIDE
     assert other.fall == found.fall
-    assert other.safe_width == found.safe_width
+    assert other.safe_base == found.safe_base
 
 
 def test_what_is_given_front_to_back_is_not_used_side_to_side(motions: list[Motion]) -> None:
@@ -228,17 +228,17 @@ def test_a_square_base_must_be_wider_both_ways(motions: list[Motion]) -> None:
     (found,) = one.results
     assert found.falls_either_way
     said = " ".join(what_to_do(found, one))
-    assert f"{found.safe_width:.2f} m deep and {found.safe_width:.2f} m wide" in said
+    assert f"{found.safe_base:.2f} m deep and {found.safe_base:.2f} m wide" in said
     assert "A tilt is no measure here" in said
-    assert safe_base(found) == f"{found.safe_width:.2f}×{found.safe_width:.2f}"
+    assert safe_base(found) == f"{found.safe_base:.2f}×{found.safe_base:.2f}"
     # nearly square: each direction has its own
     nearly = replace(square, sideways=Body.rectangle(0.25, 1.6))
     (found,) = assess([nearly], motions, progress=False).results
     assert found.other is not None
-    assert not np.isnan(found.other.safe_width)
+    assert not np.isnan(found.other.safe_base)
     said = " ".join(what_to_do(found, one))
-    assert f"{found.safe_width:.2f} m " in said
-    assert f"{found.other.safe_width:.2f} m " in said
+    assert f"{found.safe_base:.2f} m " in said
+    assert f"{found.other.safe_base:.2f} m " in said
     assert " deep" in said
     assert " wide" in said
 

@@ -247,7 +247,7 @@ def test_what_does_not_fall_is_not_tried(pairs: list[Motion]) -> None:
     (found,) = assess([item(1.0, 1.0, 0.4, "slab")], pairs, progress=False).results
     assert found.before.value == 0.0
     assert found.mitigations == ()
-    assert np.isnan(found.safe_width)
+    assert np.isnan(found.safe_base)
 
 
 def test_no_base_beside_an_edge_over_which_it_would_reach(pairs: list[Motion]) -> None:

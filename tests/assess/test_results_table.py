@@ -36,7 +36,7 @@ from shaketable.tilting import TiltCurves
 
 ACROSS = Body.rectangle(0.9, 1.8, name="shelf")
 ITEM = Item(
-    body=Body(width=0.32, cg_height=0.7, left=0.12, gyration_radius=0.5, name="shelf"),
+    body=Body(base=0.32, cg_height=0.7, left=0.12, gyration_radius=0.5, name="shelf"),
     height=1.8, sideways=ACROSS, castors=Castors.LOCKED, mass=61.0, quantity=7,
     support_length=0.6, location="ward", note="blue", critical=2, people_nearby=True,
 )  # fmt: skip
@@ -50,7 +50,7 @@ SIDE = Profile(item=ITEM, direction=Direction.SIDE_TO_SIDE, body=ACROSS)
 RESULT = ItemResult(
     profile=FRONT, simulations=88, recordings=22, falls=33, falls_downhill=21,
     fall=Share(0.375, 0.21, 0.58), downhill=Share(0.64, 0.5, 0.77),
-    peak_rotation=Quartiles(0.1, 0.2, 0.3), safe_width=0.45, sliding=SLIDING, not_settled=2,
+    peak_rotation=Quartiles(0.1, 0.2, 0.3), safe_base=0.45, sliding=SLIDING, not_settled=2,
     curves=TiltCurves(
         tilts=NOTHING, downhill_share=NOTHING, downhill_band=(NOTHING, NOTHING),
         fall_share=NOTHING, fall_band=(NOTHING, NOTHING), control_tilt=0.05,
@@ -72,7 +72,7 @@ RESULT = ItemResult(
         moved=Quartiles(0.02, 0.04, 0.09), yaw=Quartiles(0.1, 0.5, 0.9), not_settled=4,
     ),
 )  # fmt: skip
-OTHER = replace(RESULT, fall=Share(0.05, 0.0, 0.2), safe_width=0.95, profile=SIDE)
+OTHER = replace(RESULT, fall=Share(0.05, 0.0, 0.2), safe_base=0.95, profile=SIDE)
 
 #: A degree has π/180 rad.
 EXPECTED = {
@@ -95,8 +95,8 @@ EXPECTED = {
     "plane_simulations": 88, "plane_falls": 33, "plane_fall_share": 0.375,
     "plane_falls_downhill": 21, "plane_downhill_share": 0.64,
     "plane_downhill_share_low": 0.5, "plane_downhill_share_high": 0.77,
-    "plane_other_direction_base_m": 0.9, "plane_other_direction_safe_width_m": 0.95,
-    "plane_other_direction_fall_share": 0.05, "plane_safe_width_m": 0.45,
+    "plane_other_direction_base_m": 0.9, "plane_other_direction_safe_base_m": 0.95,
+    "plane_other_direction_fall_share": 0.05, "plane_safe_base_m": 0.45,
     "plane_friction_while_rocking": 0.53,
     "plane_peak_rotation_lower_quartile_deg": 5.729578,
     "plane_peak_rotation_median_deg": 11.459156,

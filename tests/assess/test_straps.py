@@ -27,7 +27,6 @@ from shaketable.campaign.as_json import from_json, to_json
 from shaketable.inventory import BaseShape, Castors, Item, solid_of
 from shaketable.outcome import Outcome
 from shaketable.records import suite
-from shaketable.report.words import headline
 from shaketable.units import STANDARD_GRAVITY
 
 MASS = 80.0
@@ -197,14 +196,6 @@ def test_a_support_of_known_length_still_counts(pairs: list[Motion]) -> None:
     assert found.governing_share == found.sliding.falls_or_off
 
 
-def test_near_an_edge_the_first_lines_say_that_it_is_a_rule(pairs: list[Motion]) -> None:
-    found = assess([ITEMS[4], ITEMS[0]], pairs[:2], model=MODEL, leading=0, progress=False)
-    (said,) = [each for each in headline.not_as_it_stands(found) if "Near an edge" in each]
-    assert said.endswith("though it may still come back: on the edge.")
-    alone = assess([ITEMS[0]], pairs[:2], model=MODEL, leading=0, progress=False)
-    assert not any("Near an edge" in each for each in headline.not_as_it_stands(alone))
-
-
 def test_beside_an_edge_every_friction_counts(pairs: list[Motion]) -> None:
     """In the rocking model nothing slides there, but with the frictions that are tried."""
     (found,) = assess([ITEMS[4]], pairs, leading=0, progress=False).results
@@ -214,16 +205,17 @@ def test_beside_an_edge_every_friction_counts(pairs: list[Motion]) -> None:
     assert found.risk == class_of(max(solid.shares), solid.recordings)
 
 
-def test_a_lip_is_left_out_and_gives_no_good_class(by_name: dict[str, ItemResult]) -> None:
-    found = by_name["with a lip"]
-    assert found.left_alone
-    assert found.solid is not None
-    assert found.solid.fall == by_name["on the edge"].solid.fall  # type: ignore[union-attr]
-    none = found.solid.fall._replace(value=0.0, low=0.0, high=0.1)
-    held = found.solid.surrounded._replace(falls_or_held_up=none)  # type: ignore[union-attr]
-    level = found.solid.level._replace(fall=none, governing_share=none)
-    quiet = found.solid._replace(surrounded=held, level=level, frictions=(), not_settled=0)
-    assert replace(found, solid=quiet).risk == NOT_CLASSED
+def test_a_lip_is_simulated(by_name: dict[str, ItemResult]) -> None:
+    """It keeps on its shelf what else goes over the edge."""
+    lip, bare = by_name["with a lip"], by_name["on the edge"]
+    assert not lip.left_alone
+    assert lip.solid is not None
+    assert bare.solid is not None
+    assert lip.solid.surrounded is not None
+    assert bare.solid.surrounded is not None
+    assert lip.solid.surrounded.off is not None
+    assert bare.solid.surrounded.off is not None
+    assert lip.solid.surrounded.off.value < bare.solid.surrounded.off.value
 
 
 def test_straps_that_are_tried(by_name: dict[str, ItemResult], pairs: list[Motion]) -> None:

@@ -26,9 +26,9 @@ def test_an_ensemble_is_spread_evenly() -> None:
 def test_bodies_are_what_the_parameters_say() -> None:
     ensemble = Prior().sample(16)
     for row, body in zip(ensemble.values, ensemble.bodies, strict=True):
-        assert math.atan2(body.width / 2, body.cg_height) == pytest.approx(row[0])
-        assert math.hypot(body.width / 2, body.cg_height) == pytest.approx(row[1])
-        assert body.left / body.width - 0.5 == pytest.approx(row[2])
+        assert math.atan2(body.base / 2, body.cg_height) == pytest.approx(row[0])
+        assert math.hypot(body.base / 2, body.cg_height) == pytest.approx(row[1])
+        assert body.left / body.base - 0.5 == pytest.approx(row[2])
         assert body.restitution_factor == row[3]
 
 

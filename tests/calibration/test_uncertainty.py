@@ -38,9 +38,9 @@ def test_each_quantity_spreads_as_it_says() -> None:
     """4,096 scrambled Sobol points of a normal variable: deviations to 1 %."""
     given = Uncertainty()
     for name, of in (
-        ("slenderness", lambda b, t, f: np.log([x.width / x.cg_height for x in b])),
+        ("slenderness", lambda b, t, f: np.log([x.base / x.cg_height for x in b])),
         ("size", lambda b, t, f: np.log([x.cg_height for x in b])),
-        ("cg_offset", lambda b, t, f: [x.left / x.width for x in b]),
+        ("cg_offset", lambda b, t, f: [x.left / x.base for x in b]),
         ("tilt", lambda b, t, f: t),
         ("motion", lambda b, t, f: np.log(f)),
     ):

@@ -108,7 +108,7 @@ def test_a_folder_of_records_is_never_held_as_a_whole(
         (records / name).write_text(f"UNITS OF M/S/S\nNPTS= 50, DT= .02 SEC\n{rows}\n")
     path = tmp_path / "campaign.toml"
     path.write_text(
-        "[bodies.grid]\nwidth_m = 0.2\nheight_m = 1.0\n"
+        "[bodies.grid]\nbase_m = 0.2\nheight_m = 1.0\n"
         f'[motions]\nof = "records"\n[plan]\nblock = {2 * BLOCK}\n'
     )
     gc.collect()

@@ -192,7 +192,7 @@ def test_motions_are_read_as_they_are_needed(
 
 def test_what_changed_is_named(small: dict[str, Any], tmp_path: Path) -> None:
     run_campaign(**small, store=tmp_path)
-    other = [*small["bodies"][:4], replace(small["bodies"][4], width=0.31)]
+    other = [*small["bodies"][:4], replace(small["bodies"][4], base=0.31)]
     for change, said in (
         ({"bodies": other}, r"bodies: 1 of 5 differ \(body 4\)"),
         ({"motions": small["motions"][:11]}, "motions: 12 → 11"),

@@ -76,7 +76,8 @@ def test_a_summary_counts_the_same_falls(wanted: dict[str, Any], tmp_path: Path)
         plan = simulations_of(Objects(tmp_path / name)).plan
         tables.append(falls_table(results, plan))
     pd.testing.assert_frame_equal(*tables)
-    assert tables[0]["depth_m"].tolist()[::2] == pytest.approx([0.3, 0.25, 0.2])
+    assert tables[0]["depth_m"].tolist()[::2] == pytest.approx([0.2, 0.25, 0.4])
+    assert tables[0]["width_m"].tolist()[::2] == pytest.approx([0.3, 0.25, 0.2])
 
 
 def test_another_orientation_is_another_campaign(wanted: dict[str, Any], tmp_path: Path) -> None:

@@ -54,9 +54,9 @@ def test_a_lost_plan_deletes_no_blocks(small: dict[str, Any], tmp_path: Path) ->
 def test_a_store_of_another_format_is_told(small: dict[str, Any], tmp_path: Path) -> None:
     run_campaign(**small, store=tmp_path)
     plan = tmp_path / "campaign" / "plan.json"
-    plan.write_text(plan.read_text().replace('"format": 5', '"format": 1'))
+    plan.write_text(plan.read_text().replace('"format": 6', '"format": 1'))
     assert '"format": 1' in plan.read_text()
-    with pytest.raises(SimulationError, match=r"its format is 1, this version reads 5"):
+    with pytest.raises(SimulationError, match=r"its format is 1, this version reads 6"):
         open_campaign(tmp_path)
 
 
@@ -66,10 +66,10 @@ def test_a_store_of_another_format_is_not_gone_on_with(
     """Nor by a worker that sees one; hashes of another format would say what is wrong."""
     run_campaign(**small, store=tmp_path)
     plan = tmp_path / "campaign" / "plan.json"
-    plan.write_text(plan.read_text().replace('"format": 5', '"format": 2').replace('"kind"', '"k"'))
-    with pytest.raises(InputError, match=r"its format is 2, this version reads 5"):
+    plan.write_text(plan.read_text().replace('"format": 6', '"format": 2').replace('"kind"', '"k"'))
+    with pytest.raises(InputError, match=r"its format is 2, this version reads 6"):
         run_campaign(**small, store=tmp_path)
-    with pytest.raises(SimulationError, match=r"its format is 2, this version reads 5"):
+    with pytest.raises(SimulationError, match=r"its format is 2, this version reads 6"):
         site_of(str(tmp_path), "a beginning")
 
 
@@ -240,7 +240,7 @@ def test_odd_names_are_plain_folders(
 def test_numbers_of_numpy(p695: list[Motion], tmp_path: Path) -> None:
     """They are the same campaign as Python's numbers."""
     plain = Body.rectangle(0.25, 1.0)
-    of_numpy = replace(plain, width=np.float64(0.25), left=np.float64(0.125))
+    of_numpy = replace(plain, base=np.float64(0.25), left=np.float64(0.125))
     motion = replace(p695[0], time_step=np.float64(p695[0].time_step))
     run_campaign([of_numpy], [motion], store=tmp_path / "a", progress=False)
     found = run_campaign([plain], p695[:1], store=tmp_path / "a", progress=False)
@@ -291,8 +291,8 @@ def test_without_dask_it_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     from shaketable.campaign import cluster
 
     monkeypatch.setitem(sys.modules, "distributed", None)
-    with pytest.raises(InputError, match=r"pip install 'shaketable\[cluster\]'"):
-        cluster.local(2)
+    with pytest.raises(InputError, match=r"pip install 'shaketable\[cluster\]'"), cluster.local(2):
+        pass
 
 
 def test_without_a_gpu_nothing_is_begun(small: dict[str, Any], tmp_path: Path) -> None:

@@ -111,7 +111,7 @@ def test_three_dimensions(tmp_path: Path) -> None:
     assert "shaking in both horizontal directions at once and supports" in page
     planar = pd.read_csv(tmp_path / "quick" / "results.csv").set_index("name")
     assert planar["dimensions"].to_list() == [2, 2, 2]
-    assert planar["plane_safe_width_m"].notna().all()
+    assert planar["plane_safe_base_m"].notna().all()
     lossy = shaketable(*given, "--restitution-factor", 0.9, "--out", "lossy", cwd=tmp_path)
     assert lossy.returncode == 0, lossy.stderr
     fewer = pd.read_csv(tmp_path / "lossy" / "results.csv").set_index("name")

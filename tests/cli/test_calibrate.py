@@ -41,7 +41,7 @@ def laboratory(tmp_path_factory: pytest.TempPathFactory, p695: list[Motion]) -> 
 def test_all_its_files(laboratory: Path) -> None:
     run = shaketable(
         "calibrate", "tests.csv", "--motions", "table", "--predict", "others.csv", "--members", 128,
-        "--depth-m", 0.2, "--height-m", 1.0, "--units", "m/s2", "--out", "out", cwd=laboratory,
+        "--base-m", 0.2, "--height-m", 1.0, "--units", "m/s2", "--out", "out", cwd=laboratory,
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
     assert "of 18 tests, made from 6 recordings (as no records are named" in run.stdout
@@ -83,8 +83,8 @@ def test_earlier_results_are_kept(laboratory: Path) -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        (["--depth-m", "0.2"], "--depth-m and --height-m: give both of them, or none"),
-        (["--depth-m", "-1", "--height-m", "1"], "--depth-m must be a positive"),
+        (["--base-m", "0.2"], "--base-m and --height-m: give both of them, or none"),
+        (["--base-m", "-1", "--height-m", "1"], "--base-m must be a positive"),
         (["--prior", "tests.csv"], "accepted columns: parameter"),
         (["--predict", "gone.csv"], "gone.csv: no such file"),
         ([], "'m0.csv'"),

@@ -20,7 +20,7 @@ pytest.importorskip("zarr", reason="the extra campaign is not installed: pip ins
 
 TOML = """
 [bodies.grid]
-width_m = [0.2, 0.3, 0.4]
+base_m = [0.2, 0.3, 0.4]
 height_m = [1.0, 1.5]
 [motions]
 of = ["fema-p695-near-field-pulse"]
@@ -135,7 +135,7 @@ def test_ctrl_c_before_anything_is_written(folder: Path, monkeypatch: pytest.Mon
 def test_what_hangs_in_its_straps_is_said(tmp_path: Path) -> None:
     """It did not fall, and is counted by itself: it is no place to stand under."""
     (tmp_path / "c.toml").write_text(
-        "[bodies.grid]\nwidth_m = 0.32\ndepth_m = 0.8\nheight_m = 1.2\n"
+        "[bodies.grid]\ndepth_m = 0.32\nwidth_m = 0.8\nheight_m = 1.2\n"
         '[motions]\nof = "fema-p695-near-field-pulse"\n'
         '[model]\nname = "general"\nstatic_friction = 0.6\n'
         "[surroundings]\n"
@@ -156,7 +156,7 @@ def test_what_hangs_in_its_straps_is_said(tmp_path: Path) -> None:
 def test_a_wall_alone_is_told(tmp_path: Path) -> None:
     """`held_up` is counted without a strap, too, and run.json says what stood there."""
     (tmp_path / "c.toml").write_text(
-        "[bodies.grid]\nwidth_m = 0.32\ndepth_m = 0.8\nheight_m = 1.2\n"
+        "[bodies.grid]\ndepth_m = 0.32\nwidth_m = 0.8\nheight_m = 1.2\n"
         '[motions]\nof = "fema-p695-near-field-pulse"\n'
         '[model]\nname = "general"\nstatic_friction = 0.4\n'
         "[surroundings]\nwall_gap_mm = 10\nwall_restitution = 0.3\n"

@@ -16,7 +16,7 @@ from shaketable.signal import peaks
 from shaketable_studies.boroschek_romo_2004.figures import FIGURES
 from tests.support.command import refused, shaketable
 
-SHELF = ("criteria", "--width-m", 0.4, "--height-m", 1.8)
+SHELF = ("criteria", "--base-m", 0.4, "--height-m", 1.8)
 
 
 def test_criteria_of_given_peaks(tmp_path: Path) -> None:
@@ -49,7 +49,7 @@ def test_criteria_of_given_peaks(tmp_path: Path) -> None:
 def test_bottom_line(
     sizes: tuple[float, float], peaks: tuple[float, float], said: str, tmp_path: Path
 ) -> None:
-    size = ("criteria", "--width-m", sizes[0], "--height-m", sizes[1])
+    size = ("criteria", "--base-m", sizes[0], "--height-m", sizes[1])
     run = shaketable(*size, "--pga-g", peaks[0], "--pgv-cm-s", peaks[1], cwd=tmp_path)
     assert said in run.stdout.partition("Bottom line")[2]
 

@@ -11,7 +11,7 @@ import pytest
 from shaketable import Body, ida, suite
 from tests.support.command import refused, shaketable
 
-ONE = ("--width-m", 0.32, "--height-m", 1.8)
+ONE = ("--base-m", 0.32, "--height-m", 1.8)
 
 
 def test_one_object(tmp_path: Path) -> None:
@@ -31,7 +31,7 @@ def test_one_object(tmp_path: Path) -> None:
 
 def test_what_is_refused(tmp_path: Path) -> None:
     for given, said in (
-        ((), "give --inventory, or --width-m and --height-m"),
+        ((), "give --inventory, or --base-m and --height-m"),
         ((*ONE, "--measure", "Tm"), "does not grow with the motion"),
         ((*ONE, "--precision", 0), "precision must lie between"),
     ):

@@ -10,7 +10,7 @@ import typer
 from shaketable import General
 from shaketable.cli import app
 
-BODY = ("--width-m", "0.32", "--height-m", "1.8")
+BODY = ("--base-m", "0.32", "--height-m", "1.8")
 MOTIONS = ("--motions", "fema-p695-near-field-pulse")
 #: What each command needs beside them; one that is missing here fails.
 NEEDED = {

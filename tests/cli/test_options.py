@@ -24,6 +24,7 @@ from tests.support.command import shaketable, undrawn
 from tests.support.printer import skip_without_printer
 from tests.support.small_files import (
     BARE,
+    BOX,
     DRUM,
     DRUM_TILT,
     EXAMPLES,
@@ -58,14 +59,14 @@ STRAP = "--strap top:stiffness=50kN/m"
 RECORDED = f"{SIZE} --record bare/a.csv {BARE}"
 SLIDES = f"{RECORDED} --model general --static-friction 0.2"
 STACK = (
-    f"{SIZE} --static-friction 0.5 --mass-kg 80 --upper-width-m 0.15 --upper-height-m 0.4 "
+    f"{SIZE} --static-friction 0.5 --mass-kg 80 --upper-base-m 0.15 --upper-height-m 0.4 "
     "--upper-mass-kg 8"
 )
 FALLS = "functions.csv"
 PAIRED = "list.csv --motions fema-p695-near-field-pulse --advise 0 --out out"
 FOUND = "posterior.csv"
 
-MEASURED = f"drops.csv {FEW} --members 64 --folds 3 --depth-m 0.3 --height-m 1.8 --out out"
+MEASURED = f"drops.csv {FEW} --members 64 --folds 3 --base-m 0.3 --height-m 1.8 --out out"
 TRIED = {
     "assess": {
         "inventory": Option("", "results.csv", f"other.csv {FEW} --planar --out out"),
@@ -108,7 +109,7 @@ TRIED = {
         "docx": Option("--docx", "report.docx"),
     },
     "simulate": {
-        "width_m": Option("--width-m 0.5", "said"),
+        "base_m": Option("--base-m 0.5", "said"),
         "height_m": Option("--height-m 1.0", "said"),
         "record": Option("--record bare/b.csv", "said"),
         "component": Option(
@@ -117,7 +118,8 @@ TRIED = {
         "vertical": Option("--vertical auto", "said", f"{SIZE} --record three/RSN1_A-E.AT2 --json"),
         "components": Option("--components 3", "said", SOLID),
         "scale": Option("--scale 1.5", "said"),
-        "depth_m": Option("--depth-m 0.4", "said", f"{SIZE} --record three/RSN1_A-E.AT2 --json"),
+        "depth_m": Option("--depth-m 0.4", "said", SOLID),
+        "width_m": Option("--width-m 0.5", "said", SOLID),
         "shape": Option("--shape cylinder", "said", f"{SIZE} --record three/RSN1_A-E.AT2 --json"),
         "orientation_deg": Option("--orientation-deg 20", "said", SOLID),
         "rolling_friction_m": Option("--rolling-friction-m 0.01", "said", DRUM),
@@ -141,23 +143,22 @@ TRIED = {
         "animate": Option("--animate run.gif", "run.gif"),
     },
     "tilt": {
-        "width_m": Option("--width-m 0.5", "said"),
+        "base_m": Option("--base-m 0.5", "said"),
         "height_m": Option("--height-m 1.0", "said"),
         "downhill_share": Option("--downhill-share 0.6", "said", f"{SIZE} {FEW} --json"),
         "tilt_deg": Option("--tilt-deg 4", "said"),
         "shelf_depth_m": Option("--shelf-depth-m 0.9", "said", f"{SIZE} {FEW} --tilt-deg 2"),
-        "depth_m": Option("--depth-m 0.4", "said", f"{SIZE} {UPRIGHT} --tilt-deg 2 --json"),
+        "depth_m": Option("--depth-m 0.4", "said", f"{BOX} {UPRIGHT} --tilt-deg 2 --json"),
+        "width_m": Option("--width-m 0.5", "said", f"{BOX} {UPRIGHT} --tilt-deg 2 --json"),
         "shape": Option("--shape cylinder", "said", f"{SIZE} {UPRIGHT} --tilt-deg 2 --json"),
-        "azimuth_deg": Option(
-            "--azimuth-deg 90", "said", f"{SIZE} --depth-m 0.6 {UPRIGHT} --tilt-deg 2 --json"
-        ),
+        "azimuth_deg": Option("--azimuth-deg 90", "said", f"{BOX} {UPRIGHT} --tilt-deg 2 --json"),
         "eccentricity": Option("--eccentricity 0.4", "said"),
         "rolling_friction_m": Option("--rolling-friction-m 0.04", "said", DRUM_TILT),
         "contour_friction_m": Option("--contour-friction-m 0.04", "said", DRUM_TILT),
         "drilling_friction_m": Option(
             "--drilling-friction-m 0.04", "said", f"{DRUM_TILT} --static-friction 0.3"
         ),
-        "motions": Option("--motions three", "said"),
+        "motions": Option("", "said", f"{SIZE} {UPRIGHT} --tilt-deg 2 --json"),
         "building": Option("--building house.toml", "said"),
         "vertical": Option("--vertical", "said", f"{SIZE} {UPRIGHT} --tilt-deg 2 --json"),
         "scale": Option("--scale 0.6", "said"),
@@ -168,7 +169,7 @@ TRIED = {
         "plot": Option("--plot tilt.png", "tilt.png", f"{SIZE} {FEW} --downhill-share 0.6"),
     },
     "criteria": {
-        "width_m": Option("--width-m 0.5", "said"),
+        "base_m": Option("--base-m 0.5", "said"),
         "height_m": Option("--height-m 1.0", "said"),
         "pga_g": Option("--pga-g 0.6", "said"),
         "pgv_cm_s": Option("--pgv-cm-s 90", "said"),
@@ -182,23 +183,23 @@ TRIED = {
         "as_json": Option("--json", "said"),
     },
     "initial-modes": {
-        "width_m": Option("--width-m 1.5", "said"),
+        "base_m": Option("--base-m 1.5", "said"),
         "height_m": Option("--height-m 0.4", "said"),
         "static_friction": Option("--static-friction 0.1", "said"),
         "kinetic_friction": Option("--kinetic-friction 0.1", "said"),
         "eccentricity": Option("--eccentricity 0.3", "said"),
         "mass_kg": Option("--mass-kg 10", "said", STACK),
-        "upper_width_m": Option("--upper-width-m 0.2", "said", STACK),
+        "upper_base_m": Option("--upper-base-m 0.2", "said", STACK),
         "upper_height_m": Option("--upper-height-m 0.3", "said", STACK),
         "upper_mass_kg": Option("--upper-mass-kg 20", "said", STACK),
         "out": Option("--out other.png", "other.png"),
     },
     "fragility": {
         "inventory": Option("", FALLS, f"--inventory list.csv {FEW} --out out"),
-        "width_m": Option("--width-m 0.4", FALLS),
+        "base_m": Option("--base-m 0.4", FALLS),
         "height_m": Option("--height-m 1.2", FALLS),
         "eccentricity": Option("--eccentricity 0.4", FALLS),
-        "motions": Option("--motions fema-p695-near-field-pulse", FALLS),
+        "motions": Option("", FALLS, f"{SIZE} --motions fema-p695-near-field-pulse --out out"),
         "vertical": Option(
             "--vertical", FALLS, f"{SIZE} {UPRIGHT} --limit-states uplift,overturns --out out"
         ),
@@ -254,7 +255,7 @@ TRIED = {
         "years": Option("--years 10", "said"),
         "export": Option("--export openquake", ".ini"),
         "correlation": Option("--correlation 0,0", "totals.csv"),
-        "motions": Option("--motions fema-p695-near-field-pulse", "rates.csv"),
+        "motions": Option("", "rates.csv", f"curve.csv list.csv {UPRIGHT} --out out"),
         "vertical": Option("--vertical", "rates.csv", f"curve.csv list.csv {UPRIGHT} --out out"),
         "tilt_deg": Option("--tilt-deg 2", "rates.csv"),
         "units": Option("--units m/s2", "rates.csv"),
@@ -263,10 +264,10 @@ TRIED = {
     },
     "ida": {
         "inventory": Option("", ".csv", f"--inventory list.csv {FEW} --precision 0.1 --out out"),
-        "width_m": Option("--width-m 0.4", ".csv"),
+        "base_m": Option("--base-m 0.4", ".csv"),
         "height_m": Option("--height-m 1.2", ".csv"),
         "eccentricity": Option("--eccentricity 0.4", ".csv"),
-        "motions": Option("--motions three", ".csv"),
+        "motions": Option("", ".csv", f"{SIZE} {UPRIGHT} --precision 0.1 --out out"),
         "vertical": Option("--vertical", ".csv", f"{SIZE} {UPRIGHT} --precision 0.1 --out out"),
         "measure": Option("--measure PGA", ".csv"),
         "precision": Option("--precision 0.001", ".csv"),
@@ -274,7 +275,7 @@ TRIED = {
         "time_step_s": Option("--time-step-s 0.02", ".csv"),
     },
     "overturning-spectrum": {
-        "width_m": Option("--width-m 0.4", ".csv"),
+        "base_m": Option("--base-m 0.4", ".csv"),
         "height_m": Option("--height-m 1.2", ".csv"),
         "eccentricity": Option("--eccentricity 0.4", ".csv"),
         "pulse": Option("--pulse cosine", ".csv"),
@@ -313,7 +314,7 @@ TRIED = {
             "fema-p695-near-field-pulse --out out",
         ),
         "building": Option("--building house.toml", "scenario.csv"),
-        "motions": Option("--motions fema-p695-near-field-pulse", "scenario.csv"),
+        "motions": Option("", "scenario.csv", f"list.csv {QUAKE} {UPRIGHT} --out out"),
         "tilt_deg": Option("--tilt-deg 2", "scenario.csv"),
         "units": Option("--units m/s2", "scenario.csv"),
         "time_step_s": Option("--time-step-s 0.02", "scenario.csv"),
@@ -369,7 +370,7 @@ TRIED = {
         ),
         "predict": Option("--predict drops.csv", "predictions.csv"),
         "prior": Option("--prior prior.csv", FOUND),
-        "depth_m": Option("--depth-m 0.5", FOUND, MEASURED),
+        "base_m": Option("--base-m 0.5", FOUND, MEASURED),
         "height_m": Option("--height-m 1.0", FOUND, MEASURED),
         "members": Option("--members 80", FOUND),
         "folds": Option("--folds 4", "crossvalidation.csv"),
@@ -466,6 +467,12 @@ def outcome(folder: Path, command: str, words: str) -> dict[str, str]:
     return found
 
 
+def beside(base: str, given: str) -> str:
+    """A call with an option, in place of the value that it has there."""
+    flag, *value = given.split()
+    return f"{re.sub(rf'{flag} [^ ]+', '', base)} {given}" if value else f"{base} {flag}"
+
+
 @pytest.mark.filterwarnings("ignore::ResourceWarning")  # pygmm leaves its files open
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 @pytest.mark.parametrize(
@@ -484,11 +491,9 @@ def test_it_changes_what_it_should(
     flag, *value = tried.given.split() or [""]
     if not tried.given:  # another call, beside the plain one
         base, words = PLAIN[command], tried.base
-    elif value:  # another value, or one where there was none
-        words = f"{re.sub(rf'{flag} [^ ]+', '', base)} {tried.given}"
-    else:
-        base = base.replace(flag, "")
-        words = f"{base} {flag}"
+    else:  # another value, or one where there was none
+        base = base if value else base.replace(flag, "")
+        words = beside(base, tried.given)
     if (command, base) not in KNOWN:
         KNOWN[command, base] = outcome(folder, command, base)
     one, other = KNOWN[command, base], outcome(folder, command, words)
@@ -499,3 +504,144 @@ def test_it_changes_what_it_should(
         assert any(one.get(name) != other[name] for name in files)
     else:
         assert one["said"] != other["said"]
+
+
+#: Options that would change nothing beside what else is given, and what is said of them.
+IDLE = {
+    "kinetic friction without a static one": (
+        f"simulate {SOLID.replace('--static-friction 0.5', '--kinetic-friction 0.2')}",
+        "--kinetic-friction: without --static-friction nothing begins to slide",
+    ),
+    "units of a file that states its own": (
+        f"simulate {SIZE} --record three/RSN1_A-E.AT2 --units g",
+        "--units: each file states its own",
+    ),
+    "units of a folder whose files state their own": (
+        f"tilt {SIZE} {UPRIGHT} --tilt-deg 2 --units g",
+        "--units: each file states its own",
+    ),
+    "units of a suite": (
+        f"tilt {SIZE} --motions fema-p695-near-field-pulse --tilt-deg 2 --units g",
+        "--units: the package's suites state theirs",
+    ),
+    "a time step of a suite": (
+        f"tilt {SIZE} --motions fema-p695-near-field-pulse --tilt-deg 2 --time-step-s 0.01",
+        "--time-step-s: for record files; the package's suites state theirs",
+    ),
+    "units of a record in criteria": (
+        f"criteria {SIZE} --record three/RSN1_A-E.AT2 --units g",
+        "--units: each file states its own",
+    ),
+    **{
+        f"{option} in criteria without a record": (
+            f"criteria {SIZE} --pga-g 0.3 --pgv-cm-s 40 {option} {value}",
+            f"{option}: for a --record",
+        )
+        for option, value in (
+            ("--vertical", "auto"),
+            ("--component", "E"),
+            ("--units", "g"),
+            ("--time-step-s", "0.01"),
+        )
+    },
+    "measures in one plane": (
+        f"assess list.csv {FEW} --planar --advise 2 --out out",
+        "--advise: simulates in three dimensions; leave out --planar",
+    ),
+    "measures of a body in a record's spectrum": (
+        f"overturning-spectrum --record bare/a.csv {BARE} --pulse sine --eccentricity 0.4 --out o",
+        "--eccentricity, --pulse: for a body under pulses",
+    ),
+    "a direction of no tilt": (
+        f"simulate {SOLID} --azimuth-deg 40",
+        "--azimuth-deg: of a tilted support; give --tilt-deg",
+    ),
+    "an eccentricity beside a list": (
+        f"ida --inventory list.csv {FEW} --eccentricity 0.4 --out out",
+        "--eccentricity: of one object; a list has a column of it",
+    ),
+    "a mass that nothing needs": (
+        f"simulate {SOLID} --mass-kg 80",
+        "--mass-kg: only a --strap or --pad-n needs it",
+    ),
+    "units of files that state theirs, listed": (
+        "records three --units g",
+        "--units: each file states its own",
+    ),
+    **{
+        f"{option} of a spectrum without a record": (
+            f"overturning-spectrum {SIZE} --points 3 {option} {value} --out out",
+            f"{option}: for a --record",
+        )
+        for option, value in (
+            ("--slenderness-deg", "8"),
+            ("--units", "g"),
+            ("--time-step-s", "0.01"),
+        )
+    },
+    "a strap's key twice": (
+        f"simulate {SOLID} --mass-kg 80 --strap top:stiffness=50kN/m,slack=5mm,slack=6mm",
+        "gives its slack twice: give it once",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", IDLE)
+def test_an_option_that_would_change_nothing_is_refused(folder: Path, name: str) -> None:
+    words, said = IDLE[name]
+    run = shaketable(*words.split(), cwd=folder)
+    assert run.returncode == 2
+    assert said in " ".join(run.stderr.split())
+    assert not (folder / "out").exists()
+
+
+#: What the contact model's options are tried with beside every call.
+OF_EVERY_MODEL = {"model": "--model general"} | {
+    name: f"--{name.replace('_', '-')} {value}" for name, value in OF_THE_MODEL.items()
+}
+#: Options that may change nothing and are not refused, and why.
+MAY_BE_IDLE = {
+    "model": "names what is used anyway, or slides only where something overcomes friction",
+    "restitution_factor": "acts at impacts, of which a weak motion makes none",
+    "normal_restitution": "likewise",
+    "kinetic_friction": "acts on what slides, which a weak motion makes nothing do",
+    "static_friction": "likewise",
+    "wall_gap_mm": "of a wall, which a weak motion may not meet",
+    "scales": "bounds that the scales of a selection may not reach",
+    "seed": "of intervals that are in files, and not always in what is said",
+}
+
+
+def _calls() -> Iterator[tuple[str, str]]:
+    """Every call that an option is tried beside, with its command; but those in few words."""
+    for command, options in TRIED.items():
+        yield from dict.fromkeys(
+            (command, base)
+            for base in (
+                PLAIN[command], *(one.base for name, one in options.items() if name != "as_json")
+            )
+            if base or command == "template"
+        )  # fmt: skip
+
+
+@pytest.mark.slow  # some minutes: every option of a command beside each of its calls
+@pytest.mark.filterwarnings("ignore::ResourceWarning")  # pygmm leaves its files open
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
+@pytest.mark.parametrize(("command", "base"), _calls())
+def test_no_option_does_nothing(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, command: str, base: str
+) -> None:
+    """Beside every call an option changes the outcome or is refused, but for MAY_BE_IDLE."""
+    monkeypatch.setattr(Figure, "savefig", undrawn)
+    given = {name: one.given for name, one in TRIED[command].items() if one.given}
+    given |= {name: words for name, words in OF_EVERY_MODEL.items() if name in _commands()[command]}
+    plain = outcome(folder, command, base)
+    idle = []
+    for name, words in given.items():
+        if name in (*MAY_BE_IDLE, "pdf") or words in base:  # that needs a browser
+            continue
+        other = outcome(folder, command, beside(base, words))
+        assert other["code"] in ("0", "2"), (words, other["said"])
+        if other["code"] == "0" and other == plain:
+            idle.append(words)
+    assert not idle

@@ -71,7 +71,7 @@ def test_records_names_what_it_cannot_read(folder: Path, tmp_path: Path) -> None
 
 
 def test_simulate_takes_a_component_and_its_vertical(folder: Path) -> None:
-    thing = ("simulate", "--width-m", 0.3, "--height-m", 1.8, "--json", "--scale", 0.8)
+    thing = ("simulate", "--base-m", 0.3, "--height-m", 1.8, "--json", "--scale", 0.8)
     level = shaketable(*thing, "--record", folder / "RSN1_TOWN_021.AT2")
     both = shaketable(*thing, "--record", folder / "RSN1_TOWN_021.AT2", "--vertical", "auto")
     assert level.returncode == both.returncode == 0, both.stderr

@@ -11,7 +11,7 @@ from shaketable.cli.response_summary import sentence_of
 from shaketable.cli.shaking import DEFAULT_MOTION
 from tests.support.command import refused, shaketable
 
-SIZE = ("--width-m", 0.3, "--height-m", 1.8)
+SIZE = ("--base-m", 0.3, "--height-m", 1.8)
 
 
 def test_without_a_record_one_of_the_suites_is_taken(tmp_path: Path) -> None:
@@ -23,7 +23,7 @@ def test_without_a_record_one_of_the_suites_is_taken(tmp_path: Path) -> None:
 
 
 def test_a_motion_by_its_name_has_both_components_in_space(tmp_path: Path) -> None:
-    box = (*SIZE, "--depth-m", 0.4, "--record", "DUZCE/BOL090")
+    box = ("--depth-m", 0.3, "--width-m", 0.4, "--height-m", 1.8, "--record", "DUZCE/BOL090")
     run = shaketable("simulate", *box, cwd=tmp_path)
     assert run.returncode == 0, run.stderr
     pairs = suite("fema-p695-both-directions", pairs=True)
@@ -41,7 +41,7 @@ def test_a_motion_by_its_name_has_both_components_in_space(tmp_path: Path) -> No
         (("--units", "g"), "--units: for a record file; NORTHR/MUL009 is a motion of the suites"),
         (("--components", 3), "--components 3: for a record file"),
         (
-            ("--record", "LANDERS/CLW-LN", "--depth-m", 0.4),
+            ("--record", "LANDERS/CLW-LN", "--shape", "cylinder"),
             "its second component is not known; give --components 1",
         ),
     ],

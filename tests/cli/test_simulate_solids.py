@@ -23,7 +23,8 @@ from shaketable import (
 from tests.support.command import refused, shaketable
 from tests.support.record_files import write_at2
 
-SIZE = ("--width-m", 0.3, "--height-m", 1.2)
+SIZE = ("--base-m", 0.3, "--height-m", 1.2)
+BOX = ("--depth-m", 0.3, "--width-m", 0.5, "--height-m", 1.2)
 
 
 @pytest.fixture(scope="module")
@@ -42,7 +43,7 @@ def record(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_it_is_what_simulate_gives(record: Path) -> None:
     run = shaketable(
-        "simulate", *SIZE, "--depth-m", 0.5, "--record", record, "--tilt-deg", 2, "--azimuth-deg",
+        "simulate", *BOX, "--record", record, "--tilt-deg", 2, "--azimuth-deg",
         30, "--orientation-deg", 10, "--static-friction", 0.5, "--components", 3, "--json",
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
@@ -90,13 +91,13 @@ def test_losses_are_those_of_the_solid(record: Path, option: str, field: str) ->
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        (("--rolling-friction-m", 0.001), "only in three dimensions"),
-        (("--contour-friction-m", 0.001, "--depth-m", 0.4), "--shape cylinder"),
-        (("--drilling-friction-m", -1, "--depth-m", 0.4), "must be 0 or more"),
+        ((*SIZE, "--rolling-friction-m", 0.001), "only in three dimensions"),
+        ((*BOX, "--contour-friction-m", 0.001), "--shape cylinder"),
+        ((*BOX, "--drilling-friction-m", -1), "must be 0 or more"),
     ],
 )
 def test_losses_that_do_not_go_together(record: Path, given: tuple[object, ...], said: str) -> None:
-    assert said in refused("simulate", *SIZE, "--record", record, *given)
+    assert said in refused("simulate", "--record", record, *given)
 
 
 def test_a_cylinder_in_words_and_pictures(record: Path, tmp_path: Path) -> None:
@@ -118,38 +119,44 @@ def test_a_cylinder_in_words_and_pictures(record: Path, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("--shape", "box"), "--shape box needs --depth-m"),
-        (("--shape", "cylinder", "--depth-m", 1.0), "a cylinder has none"),
-        (("--shape", "cylinder", "--eccentricity", 0.4), "must be 0.5"),
-        (("--azimuth-deg", 30), "--azimuth-deg: only in three dimensions"),
-        (("--depth-m", 0.5, "--model", "rocking"), "knows one edge"),
-        (("--depth-m", -1), "size_y [m]"),
-        (("--depth-m", 0.5, "--components", 5), "must be 1, 2 or 3"),
-        (("--depth-m", 0.5, "--tilt-deg", 20), "falls by itself"),
-        (("--depth-m", 0.5, "--animate", "a.obj"), ".gif, .glb, .mp4"),
+        (BOX[:2] + SIZE[2:], "--depth-m: a box has --depth-m and --width-m; in a plane"),
+        (BOX[2:], "--width-m: a box has --depth-m and --width-m; in a plane the one size"),
+        (SIZE[2:], "give --base-m, its size along the shaking; or --depth-m and --width-m"),
+        (SIZE[:2] + BOX, "--base-m: a box has --depth-m and --width-m"),
+        (("--shape", "cylinder", *SIZE[2:]), "--shape cylinder: the one size of a cylinder"),
+        ((*SIZE, "--shape", "box"), "--shape box: a box has --depth-m and --width-m"),
+        (
+            (*BOX, "--shape", "cylinder"),
+            "--depth-m and --width-m: the one size of a cylinder's base is its diameter, --base-m",
+        ),
+        ((*SIZE, "--shape", "cylinder", "--eccentricity", 0.4), "must be 0.5"),
+        ((*SIZE, "--azimuth-deg", 30), "--azimuth-deg: only in three dimensions"),
+        ((*BOX, "--model", "rocking"), "knows one edge"),
+        ((*BOX[:2], "--width-m", -1, *BOX[4:]), "size_y [m]"),
+        ((*BOX, "--components", 5), "must be 1, 2 or 3"),
+        ((*BOX, "--tilt-deg", 20), "falls by itself"),
+        ((*BOX, "--animate", "a.obj"), ".gif, .glb, .mp4"),
     ],
 )
 def test_what_cannot_be(record: Path, arguments: tuple[object, ...], said: str) -> None:
-    assert said in refused("simulate", *SIZE, "--record", record, *arguments)
+    assert said in refused("simulate", "--record", record, *arguments)
 
 
 def test_a_record_that_is_alone(record: Path, tmp_path: Path) -> None:
     alone = write_at2(tmp_path, "alone.AT2", "090", np.ones(10))
-    said = refused("simulate", *SIZE, "--depth-m", 0.5, "--record", alone)
+    said = refused("simulate", *BOX, "--record", alone)
     assert "take one component alone" in said
-    run = shaketable(
-        "simulate", *SIZE, "--depth-m", 0.5, "--record", alone, "--components", 1, "--scale", 0.01
-    )
+    run = shaketable("simulate", *BOX, "--record", alone, "--components", 1, "--scale", 0.01)
     assert "stands" in run.stdout
 
 
-HELD = ("--depth-m", 0.5, "--static-friction", 0.5, "--mass-kg", 80)
+HELD = (*BOX, "--static-friction", 0.5, "--mass-kg", 80)
 
 
 def test_straps_are_those_of_python(record: Path) -> None:
     """At the top and lower on the side toward +x; lengths, forces and stiffness in their units."""
     run = shaketable(
-        "simulate", *SIZE, *HELD, "--record", record, "--json",
+        "simulate", *HELD, "--record", record, "--json",
         "--strap", "top:slack=5mm,stiffness=20kN/m,damping=1kNs/m,strength=0.9kN",
         "--strap", "80cm:stiffness=15N/mm,pretension=20N,anchor=0.4m/0m/0.9m",
     )  # fmt: skip
@@ -176,7 +183,7 @@ def test_straps_are_those_of_python(record: Path) -> None:
 def test_a_wall_is_that_of_python(record: Path) -> None:
     """Behind the side toward +x; the strap ends on it."""
     run = shaketable(
-        "simulate", *SIZE, *HELD, "--record", record, "--json", "--wall-gap-mm", 4,
+        "simulate", *HELD, "--record", record, "--json", "--wall-gap-mm", 4,
         "--wall-friction", 0.2, "--wall-restitution", 0.6, "--strap", "top:stiffness=20kN/m",
     )  # fmt: skip
     assert run.returncode == 0, run.stderr
@@ -224,11 +231,11 @@ def test_a_planar_body_stands_against_its_wall(record: Path) -> None:
 
 
 def test_what_straps_did_is_said(record: Path) -> None:
-    held = shaketable("simulate", *SIZE, *HELD, "--record", record,
+    held = shaketable("simulate", *HELD, "--record", record,
                       "--strap", "top:stiffness=20kN/m")  # fmt: skip
     assert "its strap bears up to" in held.stdout
     assert "of the weight" in held.stdout
-    weak = shaketable("simulate", *SIZE, *HELD, "--record", record,
+    weak = shaketable("simulate", *HELD, "--record", record,
                       "--strap", "top:stiffness=20kN/m,strength=100N")  # fmt: skip
     assert "its strap breaks at" in weak.stdout
     assert "under 100 N" in weak.stdout
@@ -236,7 +243,7 @@ def test_what_straps_did_is_said(record: Path) -> None:
 
 def test_a_strap_goes_straight_behind_a_turned_box(record: Path) -> None:
     """The wall is behind the object, however that is turned on its support."""
-    turned = shaketable("simulate", *SIZE, *HELD, "--orientation-deg", 30, "--record", record,
+    turned = shaketable("simulate", *HELD, "--orientation-deg", 30, "--record", record,
                         "--json", "--strap", "top:stiffness=20kN/m")  # fmt: skip
     behind = (0.2 * math.cos(math.pi / 6), 0.2 * math.sin(math.pi / 6), 1.2)
     known = simulate(
@@ -268,11 +275,11 @@ def test_a_strap_goes_straight_behind_a_turned_box(record: Path) -> None:
     ],
 )
 def test_straps_that_cannot_be(record: Path, strap: str, says: str) -> None:
-    assert says in refused("simulate", *SIZE, *HELD, "--record", record, "--strap", strap)
+    assert says in refused("simulate", *HELD, "--record", record, "--strap", strap)
 
 
 def test_a_strap_without_a_mass_or_in_the_rocking_model(record: Path) -> None:
     strap = ("--strap", "top:stiffness=20kN/m", "--record", record)
-    assert "need a mass; give --mass-kg" in refused("simulate", *SIZE, "--depth-m", 0.5, *strap)
+    assert "need a mass; give --mass-kg" in refused("simulate", *BOX, *strap)
     heavy = (*SIZE, "--mass-kg", 50, *strap)
     assert "--model general, takes walls, straps" in refused("simulate", *heavy)

@@ -10,7 +10,7 @@ import pytest
 
 from tests.support.command import refused, shaketable
 
-ONE = ("--width-m", 0.32, "--height-m", 1.8)
+ONE = ("--base-m", 0.32, "--height-m", 1.8)
 
 
 def test_pulses_on_one_body(tmp_path: Path) -> None:
@@ -47,9 +47,9 @@ def test_blocks_under_one_record(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ((), "give --width-m and --height-m of a body, or --record"),
+        ((), "give --base-m and --height-m of a body, or --record"),
         ((*ONE, "--pulse", "square"), "unknown pulse 'square'; accepted: sine"),
-        ((*ONE, "--record", "x.csv"), "--record: is for blocks of all sizes"),
+        ((*ONE, "--record", "x.csv"), "--record is for blocks of all sizes"),
         (("--record", "x.csv"), "x.csv"),
     ],
 )

@@ -17,7 +17,7 @@ from shaketable.tilting import design_tilt
 from shaketable_studies.boroschek_iruretagoyena_2006.figures import FIGURES
 from tests.support.command import refused, shaketable
 
-CABINET = ("tilt", "--width-m", 0.25, "--height-m", 1.0)
+CABINET = ("tilt", "--base-m", 0.25, "--height-m", 1.0)
 STUDY = ("study", "boroschek-iruretagoyena-2006", "--motions", "near-field-pulse")
 
 
@@ -52,7 +52,7 @@ def test_tilt_inverse_as_json(tmp_path: Path) -> None:
 def test_tilt_tells_none_from_unknown(tmp_path: Path) -> None:
     few = shaketable(*CABINET, "--scale", 0.3, "--json", cwd=tmp_path)
     assert json.loads(few.stdout)["designed"]["found"] == "too few falls to tell"
-    leans = ("tilt", "--width-m", 0.3, "--height-m", 1, "--eccentricity", 0.75, "--scale", 2)
+    leans = ("tilt", "--base-m", 0.3, "--height-m", 1, "--eccentricity", 0.75, "--scale", 2)
     none = shaketable(*leans, "--json", cwd=tmp_path)
     told = json.loads(none.stdout)["designed"]
     assert told["found"] == "none does"
@@ -80,7 +80,7 @@ def test_tilt_with_friction(tmp_path: Path) -> None:
 
 def test_tilt_warns_outside_of_scor(tmp_path: Path) -> None:
     run = shaketable(
-        "tilt", "--width-m", 0.72, "--height-m", 3.6, "--motions", "near-field-pulse", cwd=tmp_path
+        "tilt", "--base-m", 0.72, "--height-m", 3.6, "--motions", "near-field-pulse", cwd=tmp_path
     )
     assert run.returncode == 0, run.stderr
     assert "no curve: its c1 is not positive for a body so large" in run.stdout
@@ -175,7 +175,8 @@ def test_study_writes_every_result(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 def test_tilt_in_three_dimensions(tmp_path: Path) -> None:
-    given = (*CABINET, "--depth-m", 0.7, "--azimuth-deg", 170, "--motions", "near-field-pulse")
+    box = ("tilt", "--depth-m", 0.25, "--width-m", 0.7, "--height-m", 1.0)
+    given = (*box, "--azimuth-deg", 170, "--motions", "near-field-pulse")
     run = shaketable(*given, "--downhill-share", 0.8, "--plot", "tilt.png", cwd=tmp_path)
     assert run.returncode == 0, run.stderr
     assert "14 motions of 14 recordings in both directions, the object turned" in run.stdout
@@ -183,7 +184,8 @@ def test_tilt_in_three_dimensions(tmp_path: Path) -> None:
     assert "in three dimensions go by the simulated tilt alone" in run.stderr
     assert width_of(tmp_path / "tilt.png") > 500
     told = json.loads(shaketable(*given, "--tilt-deg", 3, "--json", cwd=tmp_path).stdout)
-    assert told["settings"]["depth_m"] == 0.7
+    assert told["settings"]["depth_m"] == 0.25
+    assert told["settings"]["width_m"] == 0.7
     assert told["settings"]["azimuth_deg"] == 170.0
     assert told["settings"]["model"] == "general"
     assert 0.0 < told["asked"]["straight_share"] <= told["asked"]["downhill_share"]

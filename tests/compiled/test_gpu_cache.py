@@ -64,9 +64,7 @@ def test_kernels_are_kept_where_their_sources_say() -> None:
     from shaketable.compiled.places import cache_directory
     from shaketable.compiled.sources import folder_of
     from shaketable.engine import cuda_kernels
-    from shaketable.physics.space import cuda_kernel
 
-    for kernel in (cuda_kernels.rock_members, cuda_kernels.move_members,
-                   cuda_kernel.move_solid_members):  # fmt: skip
+    for kernel in (cuda_kernels.rock_members, cuda_kernels.move_members):
         place = folder_of(kernel.py_func)
         assert kernel._cache.cache_path == str(cache_directory(place))

@@ -107,7 +107,7 @@ def test_kaneko_classes_and_bad_input() -> None:
             kaneko.risk_class(none)
     with pytest.raises(InputError, match=r"pfv \[m/s\]"):
         kaneko.overturning_ratio(0.4, 1.8, 3.0, math.nan)
-    with pytest.raises(InputError, match="positive width"):
+    with pytest.raises(InputError, match="positive base"):
         kaneko.overturning_ratio(0.0, 1.8, 3.0, 0.4)
     with pytest.raises(InputError, match="zeta_a"):
         kaneko.overturning_ratio(0.4, 1.8, 3.0, 0.4, zeta_a=0.0)

@@ -41,7 +41,7 @@ def test_housner_by_the_rectangle_s_formula() -> None:
 @pytest.mark.parametrize("eccentricity", [0.5, 0.3])
 def test_housner_is_the_impulse_that_overturns(eccentricity: float) -> None:
     # theory, section 7: a velocity impulse V overturns iff V >= S_v, exact for any inertia
-    body = Body(width=0.4, cg_height=0.9, left=0.4 * eccentricity, gyration_radius=0.7)
+    body = Body(base=0.4, cg_height=0.9, left=0.4 * eccentricity, gyration_radius=0.7)
     limit = float(housner.overturning_velocity(body.left, 0.9, 0.7))
     step = 1e-5
     for part, falls in ((0.995, False), (1.005, True)):

@@ -97,26 +97,6 @@ def test_the_general_model_compiles_for_a_gpu(reached: set[str]) -> None:
     assert reached >= GENERAL_ALONE
 
 
-@pytest.mark.slow
-def test_solids_compile_for_a_gpu(reached: set[str]) -> None:
-    """As they are launched; it takes a minute."""
-    import numba
-    from numba import types
-    from numba.cuda import compile_ptx
-
-    from shaketable.physics.space import cuda_kernel
-    from shaketable.physics.space.workspace import SOLID_RECORD
-
-    real, whole = types.float64, types.Array(types.int64, 1, "C")
-    one, two, three = (types.Array(real, dimensions, "C") for dimensions in (1, 2, 3))
-    shapes = types.Array(numba.from_dtype(SOLID_RECORD), 1, "C")
-    codes = types.Array(types.int8, 1, "C")
-    arguments = (shapes, three, two, whole, one, whole, whole, two, two, codes, two)
-    code, _ = compile_ptx(cuda_kernel.move_solid_member, arguments, cc=CAPABILITY)
-    assert ".entry" in str(code)
-    assert any(name.startswith("shaketable.physics.space.grip.") for name in reached)
-
-
 def test_every_kernel_compiles_for_a_gpu(reached: set[str]) -> None:
     from numba import types
     from numba.core.dispatcher import Dispatcher

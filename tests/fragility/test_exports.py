@@ -171,7 +171,7 @@ def test_tilt_and_components_are_told(far_field: list[Motion], tmp_path: Path) -
 
 
 def test_an_uncertain_object_is_exported(far_field: list[Motion], tmp_path: Path) -> None:
-    shelf = UncertainBody(width=Uncertain.normal(0.32, 0.02), height=1.8, name="shelf")
+    shelf = UncertainBody(base=Uncertain.normal(0.32, 0.02), height=1.8, name="shelf")
     found = uncertain_fragility(shelf, far_field[:20], members=8, draws=0)
     found.fragility.to_pelicun(tmp_path / "library")
     row = pd.read_csv(tmp_path / "library" / "fragility.csv").iloc[0]

@@ -106,7 +106,7 @@ def test_a_rocking_spectrum(p695: list[Motion]) -> None:
 
 def test_blocks_have_their_p_and_slenderness() -> None:
     body = block_of(2.0, 0.3)
-    half_diagonal = math.hypot(body.width / 2, body.cg_height)
+    half_diagonal = math.hypot(body.base / 2, body.cg_height)
     assert math.sqrt(3 * 9.80665 / (4 * half_diagonal)) == pytest.approx(2.0)
     assert body.slenderness_right == pytest.approx(0.3)
 

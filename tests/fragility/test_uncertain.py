@@ -26,19 +26,19 @@ def test_quantiles() -> None:
 
 
 def test_a_sample_is_a_latin_hypercube() -> None:
-    body = UncertainBody(width=Uncertain.uniform(0.3, 0.4), height=Uncertain.normal(1.8, 0.1))
+    body = UncertainBody(base=Uncertain.uniform(0.3, 0.4), height=Uncertain.normal(1.8, 0.1))
     sample = [one for one, _ in body.drawn(40, seed=3)]
-    strata = np.floor((np.array([one.width for one in sample]) - 0.3) / 0.1 * 40)
+    strata = np.floor((np.array([one.base for one in sample]) - 0.3) / 0.1 * 40)
     assert sorted(strata.tolist()) == list(range(40))  # one in each fortieth
     again = [one for one, _ in body.drawn(40, seed=3)]
     assert sample == again
     assert sample != [one for one, _ in body.drawn(40, seed=4)]
-    lifted = UncertainBody(width=0.3, height=1.0, cg_height=Uncertain.uniform(0.3, 0.4))
+    lifted = UncertainBody(base=0.3, height=1.0, cg_height=Uncertain.uniform(0.3, 0.4))
     assert all(0.3 <= one.cg_height <= 0.4 for one, _ in lifted.drawn(5))
 
 
 def test_what_is_certain_is_the_function_of_one_body(far_field: list[Motion]) -> None:
-    certain = UncertainBody(width=0.32, height=1.8)
+    certain = UncertainBody(base=0.32, height=1.8)
     found = uncertain_fragility(certain, far_field, scales=SCALES, members=3, draws=0)
     one = fragility(Body.rectangle(0.32, 1.8), far_field, scales=SCALES, draws=0)
     assert found.curve.median == pytest.approx(one.median, rel=1e-9)
@@ -49,7 +49,7 @@ def test_what_is_certain_is_the_function_of_one_body(far_field: list[Motion]) ->
 
 def test_variances_add(far_field: list[Motion]) -> None:
     """The law of total variance; to 10 %, as a pooled probit is no moment of capacities."""
-    doubtful = UncertainBody(width=Uncertain.lognormal(0.32, 0.25), height=1.8)
+    doubtful = UncertainBody(base=Uncertain.lognormal(0.32, 0.25), height=1.8)
     found = uncertain_fragility(doubtful, far_field, scales=SCALES, members=48, draws=40)
     assert found.beta_body > 0.15
     total = np.hypot(found.beta_body, found.beta_motions)
@@ -60,7 +60,7 @@ def test_variances_add(far_field: list[Motion]) -> None:
 
 def test_friction(far_field: list[Motion]) -> None:
     body = UncertainBody(
-        width=0.32, height=1.8, static_friction=Uncertain.uniform(0.1, 0.4), name="shelf"
+        base=0.32, height=1.8, static_friction=Uncertain.uniform(0.1, 0.4), name="shelf"
     )
     found = uncertain_fragility(
         body, far_field[:10], limit_state="slides 0.05 m", model=General(), scales=SCALES,
@@ -79,8 +79,8 @@ def test_bad_input(far_field: list[Motion]) -> None:
         Uncertain.lognormal(0.0, 0.1)
     with pytest.raises(InputError, match="must not be above"):
         Uncertain.uniform(2.0, 1.0)
-    wide = UncertainBody(width=Uncertain.normal(0.1, 0.3), height=1.0, name="shelf")
-    with pytest.raises(InputError, match="shelf: drawn as width"):
+    wide = UncertainBody(base=Uncertain.normal(0.1, 0.3), height=1.0, name="shelf")
+    with pytest.raises(InputError, match="shelf: drawn as base"):
         uncertain_fragility(wide, far_field[:2], members=16)
     with pytest.raises(InputError, match="members must be a positive whole number"):
         wide.drawn(0)

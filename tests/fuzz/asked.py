@@ -19,17 +19,17 @@ from tests.support.mutations import MUTATIONS
 from tests.support.questions import question
 
 COMMANDS = [
-    "simulate --width-m 0.3 --height-m 1.8 --record a.csv",
-    "simulate --width-m 0.3 --height-m 1.8 --record a.csv --tilt-deg 2 --eccentricity 0.1 --scale "
+    "simulate --base-m 0.3 --height-m 1.8 --record a.csv",
+    "simulate --base-m 0.3 --height-m 1.8 --record a.csv --tilt-deg 2 --eccentricity 0.1 --scale "
     "2 --model general --static-friction 0.3 --kinetic-friction 0.2 --normal-restitution 0 "
     "--restitution-factor 0.9 --json",
-    "simulate --width-m 0.3 --height-m 1.8 --record a.AT2 --plot a.png",
-    "simulate --width-m 0.3 --height-m 1.8 --record a.csv --time-step 0.01 --units g",
-    "tilt --width-m 0.3 --height-m 1.8 --motions a.csv --tilt-deg 3 --downhill-share 0.9 --json",
-    "tilt --width-m 0.3 --height-m 1.8 --motions a.csv a.AT2 --scale 2 --base-length-m 0.3",
-    "criteria --width-m 0.3 --height-m 1.8 --pga-g 0.4 --pgv-cm-s 40 --eccentricity 0.1 --json",
-    "criteria --width-m 0.3 --height-m 1.8 --record a.csv --scale 2",
-    "initial-modes --width-m 0.3 --height-m 1.0 --static-friction 0.4 --out b.png",
+    "simulate --base-m 0.3 --height-m 1.8 --record a.AT2 --plot a.png",
+    "simulate --base-m 0.3 --height-m 1.8 --record a.csv --time-step 0.01 --units g",
+    "tilt --base-m 0.3 --height-m 1.8 --motions a.csv --tilt-deg 3 --downhill-share 0.9 --json",
+    "tilt --base-m 0.3 --height-m 1.8 --motions a.csv a.AT2 --scale 2 --base-length-m 0.3",
+    "criteria --base-m 0.3 --height-m 1.8 --pga-g 0.4 --pgv-cm-s 40 --eccentricity 0.1 --json",
+    "criteria --base-m 0.3 --height-m 1.8 --record a.csv --scale 2",
+    "initial-modes --base-m 0.3 --height-m 1.0 --static-friction 0.4 --out b.png",
     "records a.csv a.AT2",
     "records folder a.AT2 --out c --units g --time-step 0.01",
     "assess things.csv --motions a.csv a.AT2 --out d --overwrite --scale 1.5 --tilt-deg 1",

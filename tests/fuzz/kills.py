@@ -35,15 +35,50 @@ MOTIONS = "--motions fema-p695-near-field-pulse"
 LIST = "name,width_m,depth_m,height_m\nbookcase,0.8,0.32,1.8\nbox,0.5,0.5,0.4\n"
 CAMPAIGN = """
 [bodies.grid]
-width_m = [0.2, 0.3, 0.4]
+base_m = [0.2, 0.3, 0.4]
 height_m = [1.0, 1.5]
 [motions]
 of = ["fema-p695-near-field-pulse"]
 [plan]
 block = 4
 """
+LIBRARY = """
+[library]
+title = "Few things"
+edition = "0.1"
+measures = ["PGV"]
+limit_states = ["overturns"]
+seed = 1
+[motions]
+of = "fema-p695-near-field-pulse"
+[[places]]
+name = "ground"
+[[held]]
+name = "free"
+draws = 1
+[[things]]
+kinds = ["bookcase"]
+sizes = ["slender"]
+"""
+ROOM = """
+name = "Room {name}"
+outline_m = [[0, 0], [4, 0], [4, 3], [0, 3]]
+[[door]]
+at_m = [1, 0]
+[[place]]
+kind = "bed"
+at_m = [1, 2]
+size_m = [0.9, 1.8]
+[[thing]]
+name = "bookcase"
+at_m = [3, 2.8]
+facing_deg = 180
+depth_m = 0.3
+width_m = 0.9
+height_m = 1.8
+"""
 QUESTION = {
-    "thing": {"width_m": 0.32, "height_m": 1.8, "friction": 0.5},
+    "thing": {"base_m": 0.32, "height_m": 1.8, "friction": 0.5},
     "shaking": {"kind": "pulse", "period_s": 1.5, "peak_g": 0.6},
 }
 GONE_WITHIN = 15.0  # s after which no process of a killed command lives
@@ -74,7 +109,11 @@ COMMANDS = (
     ),
     Command("calibrate", "calibrate tests.csv --motions fema-p695 --members 64 --out {}"),
     Command("campaign", "campaign run campaign.toml --workers 1 --store {}", again=""),
+    Command("library", "campaign run library.toml --workers 1 --store {}", again=""),
+    Command("room", f"room assess room.toml {MOTIONS} --out {{}}"),
+    Command("survey", f"room survey room.toml other.toml {MOTIONS} --out {{}}"),
 )
+STORES = ("campaign", "library")  # which may be left in part
 
 
 class Left(NamedTuple):
@@ -82,6 +121,13 @@ class Left(NamedTuple):
 
     counts: Counter[tuple[str, str]]
     wrong: list[str]
+
+
+def undisturbed(command: Command, folder: Path) -> tuple[float, dict[str, str]]:
+    """How long a command takes by itself, in seconds, and what it leaves."""
+    begun = time.monotonic()
+    run_whole(command, folder, "whole")
+    return time.monotonic() - begun, contents(folder / "whole")
 
 
 def killed(command: Command, count: int, seed: int) -> Left:
@@ -94,11 +140,8 @@ def killed(command: Command, count: int, seed: int) -> Left:
     rng = np.random.default_rng([seed, COMMANDS.index(command)])
     counts: Counter[tuple[str, str]] = Counter()
     wrong: list[str] = []
-    with _folder() as folder:
-        begun = time.monotonic()
-        _run(command, folder, "whole")
-        duration = time.monotonic() - begun
-        whole = _contents(folder / "whole")
+    with with_files() as folder:
+        duration, whole = undisturbed(command, folder)
         for number in range(count):
             if number % 10 == 0:
                 shutil.rmtree(folder / "place", ignore_errors=True)
@@ -110,7 +153,7 @@ def killed(command: Command, count: int, seed: int) -> Left:
                     command.name, "ended before" if ended else _left(command, folder, whole)
                 ] += 1
                 if number % 5 == 4 or number == count - 1:
-                    _run(command, folder, "place")
+                    run_whole(command, folder, "place")
                     differing = _differing(folder)
                     assert not differing, f"the next run differs in {', '.join(differing)}"
                     beside = [each.name for each in folder.iterdir() if each.name.startswith(".")]
@@ -122,17 +165,20 @@ def killed(command: Command, count: int, seed: int) -> Left:
 
 
 @contextmanager
-def _folder() -> Iterator[Path]:
+def with_files() -> Iterator[Path]:
     """With what the commands read."""
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
         (folder / "list.csv").write_text(LIST)
         (folder / "campaign.toml").write_text(CAMPAIGN)
+        (folder / "library.toml").write_text(LIBRARY)
+        for name, place in (("1", "room.toml"), ("2", "other.toml")):
+            (folder / place).write_text(ROOM.format(name=name))
         (folder / "tests.csv").write_bytes((EXAMPLES / "tests.csv").read_bytes())
         yield folder
 
 
-def _begin(words: str, folder: Path) -> subprocess.Popen[bytes]:
+def begin(words: str, folder: Path) -> subprocess.Popen[bytes]:
     """In a session of its own, by which all its processes are found."""
     with (folder / "said").open("wb") as said:
         return subprocess.Popen(
@@ -145,14 +191,14 @@ def _begin(words: str, folder: Path) -> subprocess.Popen[bytes]:
         )
 
 
-def _words(command: Command, folder: Path, place: str) -> str:
+def words_of(command: Command, folder: Path, place: str) -> str:
     again = command.again if (folder / place).exists() else ""
     return f"{command.words.format(place)} {again}"
 
 
-def _run(command: Command, folder: Path, place: str) -> None:
+def run_whole(command: Command, folder: Path, place: str) -> None:
     """To its end."""
-    process = _begin(_words(command, folder, place), folder)
+    process = begin(words_of(command, folder, place), folder)
     try:
         code = process.wait(LONGEST)
     except subprocess.TimeoutExpired:
@@ -160,29 +206,29 @@ def _run(command: Command, folder: Path, place: str) -> None:
             with suppress(ProcessLookupError):  # it has just ended
                 os.kill(number, signal.SIGABRT)
         process.wait()
-        raise AssertionError(f"not done after {LONGEST:.0f} s: {_said(folder, STACKS)}") from None
-    assert code == 0, f"exit {code}: {_said(folder)}"
+        raise AssertionError(f"not done after {LONGEST:.0f} s: {said_in(folder, STACKS)}") from None
+    assert code == 0, f"exit {code}: {said_in(folder)}"
 
 
 def _kill(command: Command, folder: Path, after: float) -> bool:
     """Whether it had ended by then."""
-    process = _begin(_words(command, folder, "place"), folder)
+    process = begin(words_of(command, folder, "place"), folder)
     try:
         code = process.wait(after)
     except subprocess.TimeoutExpired:
         process.kill()
         process.wait()
-        _require_gone(process.pid)
+        require_gone(process.pid)
         return False
-    assert code == 0, f"exit {code}: {_said(folder)}"
+    assert code == 0, f"exit {code}: {said_in(folder)}"
     return True
 
 
-def _said(folder: Path, most: int = 800) -> str:
+def said_in(folder: Path, most: int = 800) -> str:
     return (folder / "said").read_text(errors="replace")[-most:]
 
 
-def _require_gone(session: int) -> None:
+def require_gone(session: int) -> None:
     """No process of a killed command works on for nobody."""
     until = time.monotonic() + GONE_WITHIN
     while left := _processes(session):
@@ -208,14 +254,14 @@ def _left(command: Command, folder: Path, whole: dict[str, str]) -> str:
     place = folder / "place"
     if not place.exists():
         return "nothing"
-    found = _contents(place)
-    if command.name == "campaign" and found != whole:
+    found = contents(place)
+    if command.name in STORES and found != whole:
         return "a part, as stores may"
     assert found == whole, f"of the results' files {sorted(found)} some are not whole"
     return "whole results"
 
 
-def _contents(place: Path) -> dict[str, str]:
+def contents(place: Path) -> dict[str, str]:
     """The files of some results, but for when they were made and how long that took."""
     found = {}
     for path in sorted(place.rglob("*")):
@@ -227,7 +273,7 @@ def _contents(place: Path) -> dict[str, str]:
 
 
 def _differing(folder: Path) -> list[str]:
-    a, b = (_contents(folder / place) for place in ("whole", "place"))
+    a, b = (contents(folder / place) for place in ("whole", "place"))
     return sorted(name for name in a.keys() | b.keys() if a.get(name) != b.get(name))
 
 
@@ -236,7 +282,7 @@ def killed_server(count: int, seed: int) -> Left:
     rng = np.random.default_rng([seed, len(COMMANDS)])
     counts: Counter[tuple[str, str]] = Counter()
     wrong: list[str] = []
-    with _folder() as folder:
+    with with_files() as folder:
         duration = _answered(folder, None)
         for number in range(count):
             after = float(rng.uniform(0.0, 1.2 * duration))
@@ -255,11 +301,11 @@ def _answered(folder: Path, after: float | None) -> float:
     """Ask a server over and over until it answers, or until it is killed [s since it began]."""
     port = 20_000 + os.getpid() % 20_000
     begun = time.monotonic()
-    process = _begin(f"serve --port {port} --workers 1", folder)
+    process = begin(f"serve --port {port} --workers 1", folder)
     until = begun + (LONGEST if after is None else after)
     try:
         while time.monotonic() < until:
-            assert process.poll() is None, f"it ended by itself: {_said(folder)}"
+            assert process.poll() is None, f"it ended by itself: {said_in(folder)}"
             try:
                 address = f"http://127.0.0.1:{port}/api/simulate"
                 answer = httpx.post(address, json=QUESTION, timeout=until - time.monotonic())
@@ -273,7 +319,7 @@ def _answered(folder: Path, after: float | None) -> float:
     finally:
         process.send_signal(signal.SIGTERM if after is None else signal.SIGKILL)
         process.wait(30.0)
-        _require_gone(process.pid)
+        require_gone(process.pid)
 
 
 def _caught(work: Callable[[], Left], name: str) -> Left:
@@ -314,6 +360,11 @@ def main() -> None:
     parser.add_argument("names", nargs="*", help=f"of {', '.join(known)}; all, if none is named")
     given = parser.parse_args()
     found = kill_all(given.count, given.seed, tuple(given.names))
+    tell(found)
+
+
+def tell(found: Left) -> None:
+    """Print a table of what was left and what was wrong, and end with 1 if anything was."""
     kinds = sorted({kind for _, kind in found.counts})
     print(f"| command | {' | '.join(kinds)} |\n|---|{'---:|' * len(kinds)}")
     for name in dict.fromkeys(name for name, _ in found.counts):

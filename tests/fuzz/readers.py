@@ -47,7 +47,7 @@ motions = ["{MOTION}"]
 """
 CAMPAIGN = f"""
 [bodies.grid]
-width_m = {{from = 0.2, to = 0.6, count = 3, logarithmic = true}}
+base_m = {{from = 0.2, to = 0.6, count = 3, logarithmic = true}}
 height_m = [1.0, 1.8]
 eccentricity = 0.5
 [motions]
@@ -131,7 +131,7 @@ def readers(folder: Path) -> list[Reader]:
         ("tests", "tests.csv", TESTS, partial(read_tests, folder=folder)),
     )
     write_beside(folder)
-    pulse = Shake(thing=Thing(width_m=0.32, height_m=1.8), shaking=Pulse(period_s=0.5, peak_g=0.05))
+    pulse = Shake(thing=Thing(base_m=0.32, height_m=1.8), shaking=Pulse(period_s=0.5, peak_g=0.05))
     asked = (
         Reader("command line", "words", b'["suites"]', run_line, line_as_file),
         Reader(

@@ -18,7 +18,7 @@ EVERY = 40  # samples of a history that are told
 BODIES = [
     Body.rectangle(0.3, 1.2, name="cabinet"),
     Body.rectangle(0.25, 1.8, eccentricity=0.4, name="shelf"),
-    Body(width=0.2, cg_height=0.4, left=0.1, gyration_radius=0.3),
+    Body(base=0.2, cg_height=0.4, left=0.1, gyration_radius=0.3),
 ]
 SOLIDS = [
     Solid.box(0.3, 0.5, 1.2, name="box"),
@@ -126,8 +126,8 @@ def solids() -> dict[str, Any]:
 def page() -> dict[str, Any]:
     """What the page's interface answers."""
     pulse, weak = Pulse(period_s=0.8, peak_g=0.3), Pulse(period_s=0.5, peak_g=0.25)
-    shelf = Thing(width_m=0.32, height_m=1.8, friction=0.5)
-    drum = Upright(shape="cylinder", width_m=0.3, height_m=1.2)
+    shelf = Thing(base_m=0.32, height_m=1.8, friction=0.5)
+    drum = Upright(shape="cylinder", base_m=0.3, height_m=1.2)
     answers = {
         "simulate": work.shake(Shake(thing=shelf, shaking=pulse)),
         "many": work.many(Many(thing=shelf)),

@@ -121,7 +121,7 @@ def test_sites_off_the_grid(grid: Path) -> None:
         (text({"PGA": ("mm", PGA)}), "the unit 'mm' is not one of PGA; accepted: g, %g"),
         (text({"PGV": ("%g", PGA)}), "the unit '%g' is not one of PGV"),
         (text(GRID).replace('index="3"', 'index="9"'), "grid_field are not 1 to 6"),
-        (text({"PGA": ("%g", 0.0 * PGA)}), "PGA must be above 0 everywhere"),
+        (text({"PGA": ("%g", 0.0 * PGA)}), "has neither PGA, PGV nor PSA that is above 0"),
         (text(GRID).replace("24.0000", "n/a"), "holds what is no number"),
         (
             '<!DOCTYPE x [<!ENTITY a "aaaa">]><shakemap_grid><grid_data>&a;</grid_data>'
@@ -142,3 +142,18 @@ def test_two_files_that_do_not_belong_together(grid: Path) -> None:
     (grid.parent / "uncertainty.xml").write_text(other)
     with pytest.raises(InputError, match=r"uncertainty.xml: is on another grid"):
         read_shakemap(grid)
+
+
+def test_of_an_older_map_what_is_no_number_is_left_out(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    """Maps before ShakeMap 4 round small values to 0, and have a STDPGA that is no sigma of ln."""
+    small = PGA.copy()
+    small[1, 0] = 0.0
+    fields = {**GRID, "PSA30": ("%g", small), "STDPGA": ("pctg", np.full((2, 3), 0.7))}
+    (tmp_path / "grid.xml").write_text(text(fields))
+    found = read_shakemap(tmp_path / "grid.xml", assumed_sigma=0.6)
+    assert list(found.ln_median) == ["PGA", "PGV", "SA(1.0)"]
+    assert found.sigma["PGA"] == pytest.approx(np.full((2, 3), 0.6))
+    assert "SA(3.0) is left out: it is 0 at 1 of its points" in caplog.text
+    assert "STDPGA is left out: it is no standard deviation of a logarithm" in caplog.text

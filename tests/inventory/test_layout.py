@@ -106,7 +106,7 @@ def test_a_mapping_holds_beside_units_from_elsewhere(tmp_path: Path) -> None:
     mapping = tmp_path / "list.csv.columns.toml"
     mapping.write_text('[columns]\nDepth = ""\nD2 = "depth"\nHeight = "height"\n')
     (item,) = read(tmp_path, text.replace("Height (total)", "Height"))
-    assert (item.body.width, item.height) == (0.4, 1.8)
+    assert (item.body.base, item.height) == (0.4, 1.8)
     mapping.write_text('[columns]\nDepht = ""\n')
     with pytest.raises(InputError, match="no column of the list is called 'depht'"):
         read(tmp_path, text)
@@ -118,15 +118,18 @@ def test_words_of_sums_in_other_columns_are_no_totals(tmp_path: Path) -> None:
     assert [item.name for item in read(tmp_path, "Name,Depth_m,Height_m\n1,1,1\n")] == ["1"]
 
 
-def test_a_name_alone_at_the_end_is_an_object_without_sizes(tmp_path: Path) -> None:
+def test_a_name_alone_at_the_end_is_an_object_without_sizes(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
     rows = "Name,Depth_m,Height_m\nA,0.3,1.8\n"
-    with pytest.raises(InputError, match=r"line 3.*is empty"):
-        read(tmp_path, f"{rows}Oxygen rack,,\n")
+    assert [item.name for item in read(tmp_path, f"{rows}Oxygen rack,,\n")] == ["A"]
+    assert "1 not assessed" in caplog.text
+    assert "'Oxygen rack' (line 3)" in caplog.text
     assert len(read(tmp_path, f"{rows}\nOxygen racks see other list,,\n")) == 1
 
 
 def test_a_centre_of_gravity_that_cannot_be_read_gives_no_class(tmp_path: Path) -> None:
-    text = "Name,Depth_m,Height_m,cg_height_m,eccentricity\nA,0.6,1.8,ca. 1.5,oben\n"
+    text = "Name,Depth_m,Height_m,cg_height_m,eccentricity\nA,0.6,1.8,high,oben\n"
     assert read(tmp_path, text)[0].unread == ("cg_height_m", "eccentricity")
 
 
@@ -143,7 +146,7 @@ def test_a_heading_above_ends_where_columns_have_their_own(tmp_path: Path) -> No
     ]
     (item,) = read_inventory(excel(tmp_path, rows, "B1:C1"))
     assert item.surroundings is not None
-    assert (item.body.width, item.height, item.surroundings.walls[0].gap) == (0.3, 1.8, 0.05)
+    assert (item.body.base, item.height, item.surroundings.walls[0].gap) == (0.3, 1.8, 0.05)
 
 
 def test_what_is_merged_over_rows_is_each_ones_but_for_amounts(

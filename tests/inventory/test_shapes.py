@@ -64,7 +64,7 @@ def test_what_hangs_over_its_front(tmp_path: Path) -> None:
 @pytest.mark.parametrize("radius", [0.02, 0.9])
 def test_any_radius_of_gyration_gives_a_body(radius: float) -> None:
     """That of the plane is kept, and about its axis the body has what it can have with it."""
-    body = Body(width=0.6, cg_height=0.5, left=0.3, gyration_radius=radius)
+    body = Body(base=0.6, cg_height=0.5, left=0.3, gyration_radius=radius)
     item = Item(body=body, sideways=Body.rectangle(0.8, 1.0), height=1.0)
     solid = solid_of(item, 0.02)
     assert solid is not None
@@ -74,10 +74,23 @@ def test_any_radius_of_gyration_gives_a_body(radius: float) -> None:
 
 
 def test_bases_that_are_not_known(tmp_path: Path) -> None:
-    items = read(
-        tmp_path, "deep,0.3,,,1.8,,,,", "wide,,0.9,,1.8,,,,", "drum off centre,,,0.6,0.9,,0.4,,"
+    items = read(tmp_path, "deep,0.3,,,1.8,,,,", "drum off centre,,,0.6,0.9,,0.4,,")
+    assert [solid_of(each, 0.02) for each in items] == [None] * 2
+    path = tmp_path / "wide.csv"
+    path.write_text("name,width_m,height_m\nwide,0.9,1.8\n")
+    assert solid_of(read_inventory(path)[0], 0.02) is None
+
+
+def test_a_width_alone_says_nothing_where_others_have_a_depth(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    """A partition of 0.9 m is not as stable as it is wide; a bottle is as deep as it is wide."""
+    deep, bottle = read(
+        tmp_path, "deep,0.3,0.9,,1.8,,,,", "partition,,0.9,,1.8,,,,", "gas bottle,,0.3,,0.6,,,,"
     )
-    assert [solid_of(each, 0.02) for each in items] == [None] * 3
+    assert (deep.name, bottle.shape, bottle.body.base) == ("deep", BaseShape.CYLINDER, 0.3)
+    assert "1 not assessed, as the list does not give their sizes: 'partition'" in caplog.text
+    assert "gives one size across of something round" in caplog.text
 
 
 @pytest.mark.parametrize(

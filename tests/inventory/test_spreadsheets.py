@@ -88,11 +88,11 @@ def open_document(path: Path, rows: list[list[object]]) -> None:
 
 def same(items: list[Item]) -> None:
     """The items are those of TABLE."""
-    assert [(item.name, item.body.width, item.height, item.quantity) for item in items] == [
+    assert [(item.name, item.body.base, item.height, item.quantity) for item in items] == [
         ("shelf", 0.32, 1.8, 4),
         ("Schränkchen", 0.4, 0.62, 1),
     ]
-    assert [item.sideways and item.sideways.width for item in items] == [0.9, 0.5]
+    assert [item.sideways and item.sideways.base for item in items] == [0.9, 0.5]
 
 
 def text(separator: str, comma: bool = False) -> str:
@@ -142,9 +142,9 @@ def test_headers_and_units(tmp_path: Path, header: list[str], factor: float) -> 
     excel(tmp_path / "a.xlsx", rows)
     found = read_with_columns(tmp_path / "a.xlsx")
     (item,) = found.items
-    assert (item.body.width, item.height) == pytest.approx((0.32, 1.8))
+    assert (item.body.base, item.height) == pytest.approx((0.32, 1.8))
     assert item.sideways is not None
-    assert item.sideways.width == pytest.approx(0.9)
+    assert item.sideways.base == pytest.approx(0.9)
     assert item.quantity == 4
     meanings = [column.meaning for _, column in found.columns if column]
     assert meanings == ["name", "depth", "width", "height", "quantity"]
@@ -205,7 +205,7 @@ def test_merged_cells(tmp_path: Path) -> None:
     book.worksheets[0].merge_cells("B2:B3")
     book.save(tmp_path / "a.xlsx")
     first, second, *_ = read_inventory(tmp_path / "a.xlsx")
-    assert first.body.width == second.body.width
+    assert first.body.base == second.body.base
     assert first.name != second.name
 
 
@@ -265,6 +265,10 @@ def test_several_sheets(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> Non
     with pytest.raises(InputError, match="is a text, which has no sheet 'North'"):
         read_inventory(tmp_path / "a.csv", sheet="North")
     book.worksheets[0].title = "Inventory"
+    book.save(tmp_path / "a.xlsx")
+    with pytest.raises(InputError, match="'West wing' holds 3: which of them is the list"):
+        read_inventory(tmp_path / "a.xlsx")
+    other.delete_rows(2)
     book.save(tmp_path / "a.xlsx")
     same(read_inventory(tmp_path / "a.xlsx"))
 
@@ -343,7 +347,7 @@ def test_width_alone_is_taken_for_the_depth(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
     path.write_text("name,width_m,height_m\nbookcase,0.9,1.8\n")
     (item,) = read_inventory(path)
-    assert (item.body.width, item.depth_known, item.sideways) == (0.9, False, None)
+    assert (item.body.base, item.depth_known, item.sideways) == (0.9, False, None)
 
 
 @pytest.mark.parametrize(
@@ -379,7 +383,7 @@ def test_the_template_is_an_inventory(tmp_path: Path, name: str, language: str) 
         found = read_with_columns(path)
         assert all(column is not None for _, column in found.columns)
         assert set(chosen.explained) == {header for header, _ in found.columns}
-        assert [round(item.body.width, 3) for item in found.items] == [0.32, 0.6, 0.23, 0.5]
+        assert [round(item.body.base, 3) for item in found.items] == [0.32, 0.6, 0.23, 0.5]
         assert [item.shape for item in found.items][2] is BaseShape.CYLINDER
         assert found.items[3].castors is Castors.LOCKED
         assert (found.items[0].blocks_exit, found.items[2].must_not_fall) == (True, True)
@@ -506,7 +510,7 @@ def test_what_would_be_misread_is_refused(tmp_path: Path, text: str, said: str) 
 
 def test_diameters(tmp_path: Path) -> None:
     (item,) = csv(tmp_path / "a.csv", "name,Diameter (cm),height_m\ntank,23,1.6\n")
-    assert item.body.width == pytest.approx(0.23)
+    assert item.body.base == pytest.approx(0.23)
     assert item.sideways == item.body
 
 
@@ -524,8 +528,9 @@ def test_totals_and_comments_are_left_out_and_told(
 def test_one_name_in_several_rooms(tmp_path: Path) -> None:
     text = "name,depth,height,room\nShelf,0.3,1.8,a\nShelf,0.4,1.8,b\n"
     assert len(csv(tmp_path / "a.csv", text)) == 2
+    assert len(csv(tmp_path / "a.csv", text.replace(",b", ",a"))) == 2  # of another depth
     with pytest.raises(InputError, match="is also on line 2; make the names or locations differ"):
-        csv(tmp_path / "a.csv", text.replace(",b", ",a"))
+        csv(tmp_path / "a.csv", text.replace("0.4", "0.3").replace(",b", ",a"))
 
 
 @pytest.mark.parametrize(

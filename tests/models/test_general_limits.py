@@ -101,7 +101,7 @@ def test_threads_and_company_change_nothing(p695: list[Motion]) -> None:
 
 def test_what_never_stops_bouncing_is_given_up(caplog: pytest.LogCaptureFixture) -> None:
     # static friction holds it, kinetic friction does not, and hardly anything of a bounce is lost
-    body = Body(width=0.4026, cg_height=0.9278, left=0.2013, gyration_radius=0.1245)
+    body = Body(base=0.4026, cg_height=0.9278, left=0.2013, gyration_radius=0.1245)
     support, model = (
         Support(tilt=0.1524),
         General(static_friction=0.684, kinetic_friction=0.0426, normal_restitution=0.99),

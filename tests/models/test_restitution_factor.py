@@ -127,7 +127,7 @@ def test_factors_out_of_range(kind: type[Rocking] | type[General], factor: float
 def test_a_given_restitution_adds_no_energy_off_centre() -> None:
     # b_L = 1, b_R = 0.1, h = 0.5, i² = 0.25: from R to L, √((i² + h² + b_R²)/(i² + h² + b_L²))
     # = √(0.51/1.5); the other way it is larger than 1 and η is kept
-    body = Body(width=1.1, cg_height=0.5, left=1.0, gyration_radius=0.5)
+    body = Body(base=1.1, cg_height=0.5, left=1.0, gyration_radius=0.5)
     blocks = struct_view(Rocking(restitution=0.9).tabulate([body], np.zeros(1)).blocks, Block)
     assert blocks["right"]["velocity_ratio"] == pytest.approx(np.sqrt(0.51 / 1.5), rel=1e-14)
     assert blocks["left"]["velocity_ratio"] == 0.9

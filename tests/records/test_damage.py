@@ -33,7 +33,7 @@ def second(text: str, line: str) -> int:
 
 
 #: Formats that leave the instrument's offset in their values, but not in their maximum.
-LOOSE = ("AOM003.EW", "nsmn.txt")
+LOOSE = ("AOM003.EW", "nsmn.txt", "unam.txt", "csmnc.dat")
 
 
 # components ---------------------------------------------------------------------------------
@@ -196,6 +196,9 @@ MAXIMA = {
     "a.V1A": r"Peak\s+(\S+)",
     "a.smc": r" (-?3\.0000000E\+02)",
     "nsmn.txt": r"\(N-S\) (\S+)",
+    "usc.s0a": r"PEAK ACCELERATION = +(\S+)",
+    "unam.txt": r"ACEL. MAX.*?/(\S+?)/",
+    "csmnc.dat": r"PEAK VALUE: +(\S+)",
     "cwb.dat": r"AmplitudeMAX\. N:.*?(-?30\.000)",
 }
 

@@ -90,6 +90,8 @@ def damage(
             else:
                 read += 1
                 told = changed(example, intact, found, lines)
+                if mutation.__name__ == "cut" and len(found) == 1 < len(intact):
+                    told = ""  # at the end of a channel: many collections hold one a file
                 if told and not set(caplog.messages) - usual:
                     faults.append(f"{what}: {told}")
             longest = max(longest, time.monotonic() - begun)

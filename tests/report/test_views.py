@@ -17,11 +17,13 @@ from rich.console import Console
 from shaketable import Body
 from shaketable.assess import Assessment, ItemResult, Share, assess
 from shaketable.cli.assess import example_inventory
+from shaketable.errors import SimulationError
 from shaketable.inventory import BaseShape, Item, read_inventory
 from shaketable.inventory.read import read_with_columns
 from shaketable.language import LANGUAGES, Language, speaking
 from shaketable.records import suite
 from shaketable.report.as_docx import write_docx
+from shaketable.report.assessment_folder import write_results
 from shaketable.report.page import render
 from shaketable.report.print_pdf import print_pdf
 from shaketable.report.terminal import print_assessment
@@ -98,6 +100,49 @@ def test_every_view_has_the_same_shares(result: Assessment, page: str, tmp_path:
         assert all(line in cards for line in objects[name].advice)
 
 
+def test_in_a_narrow_terminal_the_measure_stays_and_the_class_goes(result: Assessment) -> None:
+    def shown(width: int) -> str:
+        console = Console(file=io.StringIO(), width=width)
+        print_assessment(result, console, Path("out"), "24 motions")
+        return console.file.getvalue()  # type: ignore[attr-defined]
+
+    assert "first measure" in shown(62).partition("left out")[0]
+    assert "left out for want of room: risk" in " ".join(shown(62).split())
+    assert "left out for want of room" not in shown(140)
+
+
+def test_a_document_that_fails_takes_nothing_with_it(
+    result: Assessment, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fails(*_: object) -> None:
+        raise ValueError("no such style")
+
+    monkeypatch.setattr("shaketable.report.as_docx.write_docx", fails)
+    out = tmp_path / "out"
+    with pytest.raises(SimulationError, match=r"report\.docx: no such style; all other results"):
+        write_results(result, RUN, out, docx=True)
+    assert {"report.html", "results.csv", "run.json"} <= {path.name for path in out.iterdir()}
+
+
+def test_control_characters_of_names_are_escapes_in_a_document(tmp_path: Path) -> None:
+    """XML cannot hold them, and the whole run was lost."""
+    path = tmp_path / "list.csv"
+    path.write_text("name,depth_m,width_m,height_m\nShelf\x0bleft,0.32,0.9,1.8\n")
+    pairs = [m for m in suite("fema-p695", pairs=True)[:4] if m.transverse is not None]
+    odd = assess(read_inventory(path), pairs, leading=0, progress=False)
+    write_docx(odd, RUN, None, tmp_path / "a.docx")
+    document = docx.Document(str(tmp_path / "a.docx"))
+    assert any("Shelf\\x0bleft" in each.text for each in document.paragraphs)
+
+
+def test_what_is_not_assessed_is_told_at_the_top(result: Assessment) -> None:
+    inventory = {**RUN["inventory"], "not_assessed": ["Water heater"]}
+    top = plain(render(result, {**RUN, "inventory": inventory})).partition("What to do first")[0]
+    assert (
+        "Not assessed, as the list does not give their sizes: Water heater. They may fall." in top
+    )
+
+
 def test_one_thing_on_the_page_has_the_number_of_a_list(tmp_path: Path) -> None:
     """A bookcase and a drum as one thing, in a list, and in Python: to the digit."""
     (tmp_path / "a.csv").write_text(
@@ -115,8 +160,8 @@ def test_one_thing_on_the_page_has_the_number_of_a_list(tmp_path: Path) -> None:
         progress=False,
     )
     things = (
-        Upright(shape="box", width_m=0.9, depth_m=0.32, height_m=1.8),
-        Upright(shape="cylinder", width_m=0.3, height_m=1.2),
+        Upright(shape="box", depth_m=0.32, width_m=0.9, height_m=1.8),
+        Upright(shape="cylinder", base_m=0.3, height_m=1.2),
     )
     for thing, row, own in zip(things, listed.results, made.results, strict=True):
         found = space.many(ManyInSpace(thing=thing, curve=False))

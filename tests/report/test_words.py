@@ -82,7 +82,7 @@ RESULT = ItemResult(
     downhill=Share(0.5, 0.4, 0.6),
     peak_rotation=Quartiles(*np.radians([10.0, 20.0, 90.0])),
     curves=CURVES,
-    safe_width=0.48,
+    safe_base=0.48,
     anchor_forces=(AnchorForce(1.8, 0.9, 1.7, 2.0), AnchorForce(1.2, 1.35, 2.55, 3.0)),
 )
 QUIET = replace(RESULT, falls=0, falls_downhill=0, fall=Share(0.0, 0.0, 0.149))
@@ -529,10 +529,10 @@ def test_advice_at_its_ends() -> None:
     assert "No tilt up to 10°" in said(control_tilt=math.nan)
     askew = replace(ITEM, body=Body.rectangle(0.32, 1.8, eccentricity=0.4))
     assert "turned round" in to_do(of(askew))[-1]
-    hopeless = to_do(replace(RESULT, safe_width=math.nan))[1]
+    hopeless = to_do(replace(RESULT, safe_base=math.nan))[1]
     assert "No base up to 6 times" in hopeless
     # a base is never widened from 0.32 to 0.32 m
-    assert "0.32" not in to_do(replace(RESULT, safe_width=0.3204))[1]
+    assert "0.32" not in to_do(replace(RESULT, safe_base=0.3204))[1]
     (rare,) = to_do(replace(RESULT, fall=Share(0.05, 0.0, 0.1), falls=4))
     assert rare.startswith("Anchor it where")
     (never,) = to_do(replace(QUIET, anchor_forces=(AnchorForce(1.8, 0.0, 0.0, 0.0),) * 2), 0.95)

@@ -134,7 +134,7 @@ def test_changes_are_tried_with_the_friction_of_most_harm(pairs: list[Motion]) -
     assert (alone.friction, found.friction) == (0.1, ROUGH)
     assert found.runs == rough.runs  # in all ways
     assert [each.saves for each in found.singles] == [each.saves for each in rough.singles]
-    assert tried_with(found).startswith("Changes were tried with friction 0.7. Of the frictions")
+    assert tried_with(found).startswith("Changes were tried with friction 0.7. This counts")
     assert tried_with(alone) == "Changes were tried with friction 0.1."
 
 

@@ -38,7 +38,7 @@ def rates(study: Study, model: str = "rocking") -> pd.DataFrame:
 
 def test_table_1(study: Study, p695: list[Motion]) -> None:
     table = study.tables["table_1"]
-    assert [(size.width, size.height) for size in TABLE_1] == SIZES
+    assert [(size.base, size.height) for size in TABLE_1] == SIZES
     # as printed, to its two digits
     assert [round(r, 2) for r in table["r_m"]] == [0.1, 0.1, 0.1, 0.25, 0.26, 0.26, 0.27, 0.51, 0.52, 0.52, 0.76, 0.77]  # fmt: skip  # noqa: E501
     assert [round(a, 2) for a in table["alpha_rad"]] == [0.2, 0.24, 0.29, 0.2, 0.25, 0.29, 0.35, 0.2, 0.24, 0.29, 0.2, 0.25]  # fmt: skip  # noqa: E501
@@ -113,7 +113,7 @@ def test_both_models_agree(study: Study) -> None:
 
 def test_fits_find_the_curve_that_made_the_data() -> None:
     terms, c2 = SizeTerms(0.09, -0.02, 0.03), 0.47
-    shapes = [(s.width / s.height, math.hypot(s.width, s.height) / 2) for s in TABLE_1]
+    shapes = [(s.base / s.height, math.hypot(s.base, s.height) / 2) for s in TABLE_1]
     c1 = np.array([terms.width_ratio * b + terms.size * r + terms.constant for b, r in shapes])
     shares = controlled_rate(TILTS, c1[:, None], c2)
     same = np.tile(controlled_rate(TILTS, 0.04, c2), (len(TABLE_1), 1))
@@ -168,7 +168,7 @@ def test_records_of_the_tests(study: Study, p695: list[Motion]) -> None:
 
 def test_specimens_have_their_measured_centres(study: Study) -> None:
     body = TABLE_5[0].body()
-    assert (body.width, body.cg_height, body.left) == pytest.approx((0.099, 0.243, 0.0515))
+    assert (body.base, body.cg_height, body.left) == pytest.approx((0.099, 0.243, 0.0515))
     assert body.gyration_radius == pytest.approx(math.sqrt((0.099**2 + 0.493**2) / 12))
     table = study.tables["table_5"].set_index("body")
     assert TABLE_5[0].body(from_left=False).left == pytest.approx(0.099 - 0.0515)
@@ -246,7 +246,7 @@ def test_the_seven_bodies_that_were_tested(study: Study) -> None:
     """Table V's sizes are table I's; every interval of theirs meets the paper's 4 to 5.5°."""
     for k, specimen in zip(TESTED, TABLE_5, strict=True):
         assert TABLE_1[k].height == pytest.approx(specimen.height_mm / 1000, abs=0.008)
-        assert TABLE_1[k].width == pytest.approx(specimen.width_mm / 1000, abs=0.003)
+        assert TABLE_1[k].base == pytest.approx(specimen.width_mm / 1000, abs=0.003)
     claims = study.tables["claims"].set_index("claim")
     said = claims.loc["tilts that control 95 % of the seven bodies that were tested", "we_find"]
     assert "7 of 7 bodies meet" in said

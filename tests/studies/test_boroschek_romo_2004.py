@@ -32,8 +32,8 @@ def test_the_grid_is_the_paper_s() -> None:
     assert len(symmetric) == 48
     # "height varies from 0.25 m to 4.0 m and widths from 0.08 to 3.5 depending on body height"
     assert (symmetric["cg_height_m"].min(), symmetric["cg_height_m"].max()) == (0.25, 4.0)
-    assert symmetric["width_m"].min() == pytest.approx(0.08)
-    assert symmetric["width_m"].max() == pytest.approx(3.5)
+    assert symmetric["base_m"].min() == pytest.approx(0.08)
+    assert symmetric["base_m"].max() == pytest.approx(3.5)
 
 
 def test_counts_are_those_of_the_simulations(study: Study, p695: list[Motion]) -> None:
@@ -41,7 +41,7 @@ def test_counts_are_those_of_the_simulations(study: Study, p695: list[Motion]) -
     chosen = [0, 70, 150, 191]
     some = [
         Body.rectangle(width, 2 * height, eccentricity=nu)
-        for nu, height, width in bodies[["eccentricity", "cg_height_m", "width_m"]].to_numpy()[
+        for nu, height, width in bodies[["eccentricity", "cg_height_m", "base_m"]].to_numpy()[
             chosen
         ]
     ]
@@ -105,7 +105,7 @@ def test_counterexamples_are_real(study: Study, p695: list[Motion]) -> None:
     for row in unknown.head(5).itertuples():
         motion = by_name[row.record]
         motion = motion.scaled(row.pga_m_s2 / motion.peak_ground_acceleration)
-        body = Body.rectangle(row.width_m, 2 * row.cg_height_m, eccentricity=0.3)
+        body = Body.rectangle(row.base_m, 2 * row.cg_height_m, eccentricity=0.3)
         runs = simulate_many([body], [motion], progress=False)
         assert int((runs.outcome != Outcome.STANDING).sum()) == row.falls
 

@@ -39,7 +39,7 @@ def test_shares_are_those_of_the_simulations(study: Study, some: list[Motion]) -
     size = SIZES[1]
     turns = np.radians([0.0, 22.5, 45.0, 67.5])
     square = simulate_many(
-        [Solid.box(size.width, size.width, size.height)], pairs.motions, scales=[0.5],
+        [Solid.box(size.base, size.base, size.height)], pairs.motions, scales=[0.5],
         orientations=turns, model=MODEL, progress=False,
     )  # fmt: skip
     known = float((square.outcome != Outcome.STANDING).mean())
@@ -63,7 +63,7 @@ def test_directions_are_those_of_the_body(study: Study, some: list[Motion]) -> N
     pairs = pairs_of(some, 0)
     sizes = [SIZES[k] for k in (1, 4, 8, 11)]
     turned = simulate_many(  # the same with its length along x
-        [Solid.box(2 * size.width, size.width, size.height) for size in sizes], pairs.motions,
+        [Solid.box(2 * size.base, size.base, size.height) for size in sizes], pairs.motions,
         tilts=TILTS, model=MODEL, progress=False,
     )  # fmt: skip
     falls = (turned.outcome != Outcome.STANDING).sum(["body", "motion", "polarity", "scale"])
@@ -85,8 +85,8 @@ def test_losses_are_those_of_the_simulations(study: Study, some: list[Motion]) -
     """One row of the table, from the public functions; each change changes something."""
     table = study.tables["losses"].set_index(["changed", "case", "over", "scale"])["ratio"]
     pairs = pairs_of(some, 0)
-    boxes = [Solid.box(size.width, size.width, size.height) for size in SIZES]
-    drums = [Solid.cylinder(size.width, size.height, rolling_friction=0.003) for size in SIZES]
+    boxes = [Solid.box(size.base, size.base, size.height) for size in SIZES]
+    drums = [Solid.cylinder(size.base, size.height, rolling_friction=0.003) for size in SIZES]
     shares = [
         (simulate_many(solids, pairs.motions, model=MODEL, progress=False, **ways).outcome
          != Outcome.STANDING).values.mean()

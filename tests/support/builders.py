@@ -54,7 +54,7 @@ def contact_body(
 def mirrored(body: Body) -> Body:
     """The body with left and right exchanged."""
     return Body(
-        width=body.width,
+        base=body.base,
         cg_height=body.cg_height,
         left=body.right,
         gyration_radius=body.gyration_radius,

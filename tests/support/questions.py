@@ -54,27 +54,30 @@ def question(rng: Rng) -> Any:
     return kind(**given)
 
 
+BASES = ("base_m", "depth_m", "width_m")
+
+
 def thing(rng: Rng, kind: type[BaseModel]) -> BaseModel:
     """A thing or an upright."""
     given: dict[str, Any] = {
         name: number(rng, field)
         for name, field in kind.model_fields.items()
-        if name not in ("shape", "depth_m", "friction", "beside")
+        if name not in ("shape", *BASES, "friction", "beside")
     }
-    widest = min(20.0, 199.0 * given["height_m"])
-    given["width_m"] = float(np.clip(given["width_m"], given["height_m"] / 199.0, widest))
+    sizes = ["base_m"]
+    if kind is Upright:
+        given["shape"] = str(rng.choice(["box", "cylinder"]))
+        sizes = ["depth_m", "width_m"] if given["shape"] == "box" else sizes
+    least, most = given["height_m"] / 199.0, min(20.0, 199.0 * given["height_m"])
+    for name in sizes:
+        given[name] = float(np.clip(number(rng, Thing.model_fields["base_m"]), least, most))
     given["friction"] = None if rng.random() < 0.2 else number(rng, kind.model_fields["friction"])
     given["tilt_deg"] = 0.0 if rng.random() < 0.7 else given["tilt_deg"]
     if kind is Upright:
-        given["shape"] = str(rng.choice(["box", "cylinder"]))
         if given["shape"] == "box":
             given["contour_friction_mm"] = 0.0
-            depth = number(rng, kind.model_fields["width_m"])
-            given["depth_m"] = float(np.clip(depth, given["height_m"] / 199.0, widest))
         for name in ("rolling_friction_mm", "contour_friction_mm"):
-            given[name] = min(
-                given[name], 100.0 * min(given["width_m"], given.get("depth_m", 20.0))
-            )
+            given[name] = min(given[name], 100.0 * min(given[size] for size in sizes))
     given["beside"] = None if rng.random() < 0.5 else beside(rng, lip=kind is Thing)
     return kind(**given)
 

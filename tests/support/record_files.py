@@ -373,6 +373,108 @@ def cwb(count: int = 100) -> str:
     )
 
 
+def csmip_rated(count: int = 60, channels: int = 3) -> str:
+    """Volume 1 of CSMIP as it is since 2012: raw values in g and their rate."""
+    lines = []
+    for number in range(1, channels + 1):
+        values = shaking(count, 120 + number, 0.3e6) * 1e-6
+        code = ("90 Deg", "Up", "360 Deg")[number - 1]
+        peak, at = values[np.argmax(np.abs(values))], 0.005 * np.argmax(np.abs(values))
+        lines += [
+            "Uncorrected Accelerogram Data             Processed: 06/16/16, CSMIP",
+            "Record of Tue May 03, 2016 16:42:00.0 PDT",
+            "Preliminary Processing",
+            "36456-S4384-16123.01                 Start time:  5/03/16, 23:41:30.0 UTC (GPS)",
+            f"Station No. 36456   35.9N, 120.4W     K2  s/n 4384  ({channels} Chns of  3 at Sta)",
+            "A Place",
+            f"Chan  {number}: {code}",
+            f"No. of Points = {count:6d}  Record Length = {count / 200:.3f} sec at 200 Samples/sec",
+            f"Units of uncor data are sec and g .        Max  = {peak:8.3f} g , at {at:6.3f} sec.",
+            *rows(("    0" for _ in range(100)), 16),
+            *rows(("   0.00000" for _ in range(50)), 8),
+            f"{count:6d} Accelerogram points at 200 pts/sec in units of g .      Format: (8f9.6)",
+            *rows((f"{x:9.6f}" for x in values), 8),
+            f"/&  ----------  End of data for channel  {number}  ----------",
+        ]
+    return "\n".join([*lines, ""])
+
+
+def usc_volume_2(count: int = 100) -> str:
+    """A corrected component of USC, of which no line says that it ends."""
+    values = shaking(count, 130)
+    largest = int(np.argmax(np.abs(values)))
+    return "\n".join(
+        [
+            "CORRECTED ACCELEROGRAM  XX   COMP N90E   FILE   7",
+            "FILE     7 OF UNCORRECTED ACCELEROGRAM DATA OF VOLUME I:",
+            "AN EARTHQUAKE",
+            "OCT 01, 1987",
+            "STATION USC# 0013   34 13 12N, 118 25 12W",
+            "1 SOME ST., SOMEWHERE",
+            "COMP N90E",
+            "UNITS ARE SEC AND G/10",
+            f"{count:6d}  INSTRUMENT AND BASELINE CORRECTED DATA",
+            "AT EQUALLY-SPACED INTERVALS OF    .020  SEC.",
+            f"PEAK ACCELERATION = {values[largest]:12.5f} CMS/SEC/SEC AT {0.02 * largest:.3f} SEC.",
+            *rows(("    0" for _ in range(100)), 16),
+            *rows(("     0.000" for _ in range(100)), 8),
+            f"{count:6d} POINTS OF ACC DATA EQUALLY SPACED AT   .020 SEC.  IN UNITS CM/SEC/SEC",
+            *rows((f"{x:10.3f}" for x in values), 8),
+            "",
+        ]
+    )
+
+
+def unam(count: int = 100) -> str:
+    table = np.column_stack([shaking(count, 140 + k, 30.0 + k) for k in range(3)])
+    peaks = "/".join(f"{column[np.argmax(np.abs(column))]:.2f}" for column in table.T)
+    return "\n".join(
+        [
+            "*" * 80,
+            "ARCHIVO ESTANDAR DE ACELERACION:",
+            "VERSION DEL FORMATO                    : 2.0",
+            "NOMBRE DE LA ESTACION                  : UN LUGAR",
+            "CLAVE DE LA ESTACION                   : LUGA",
+            "ORIENTACION C1-C6 (rumbo;orientacion)  : /S60E;-L/+V;V/N30E;+T",
+            "INTERVALO DE MUESTREO, C1-C6 (s)       : /0.01/0.01/0.01",
+            f"NUM. TOTAL DE MUESTRAS, C1-C6          : /{count}/{count}/{count}",
+            f"ACEL. MAX.(Gal), C1-C6                 : /{peaks}",
+            "FECHA DEL SISMO [GMT]                  : 19 DE SEPTIEMBRE DE 1985",
+            "UNIDADES DE LOS DATOS                  : Gal (cm/s/s)",
+            "FORMATO DATOS (FORTRAN,10 campos/dato) : 3F10.3",
+            "DATOS DE ACELERACION:",
+            "---------+---------+---------+",
+            "   CANAL-1   CANAL-2   CANAL-3",
+            "      S60E        +V      N30E",
+            "---------+---------+---------+",
+            *("".join(f"{x:10.3f}" for x in row) for row in table),
+            "",
+        ]
+    )
+
+
+def csmnc(count: int = 120) -> str:
+    values = shaking(count, 150)
+    largest = int(np.argmax(np.abs(values)))
+    return "\n".join(
+        [
+            "051XXX080512142801",
+            "0510805121428 2008-05-12 14:28:01 BTM",
+            "SOME EARTHQUAKE, CHN",
+            "EPICENTER  31.000N 103.400E DEPTH 14 KM",
+            "MAGNITUDE  7.9(Ms)",
+            "STATION: 051XXX 31.000N 103.700E",
+            "COMP. UD",
+            "CORRECTED ACCELERATION          UNIT: CM/SEC/SEC",
+            f"NO. OF POINTS: {count:6d}  EQUALLY SPACED INTERVALS OF:  0.005  SEC",
+            f"PEAK VALUE: {values[largest]:11.3f}   AT {0.005 * largest:.3f} SEC  DURATION:  1 SEC",
+            "",
+            *rows((f"{x:14.6E}" for x in values), 8),
+            "",
+        ]
+    )
+
+
 def csv(count: int = 100) -> str:
     values = shaking(count, 110, 30.0)
     return "\n".join(
@@ -414,6 +516,10 @@ def examples() -> dict[str, Example]:
         "a.V1A": Example(geonet(corrected=False)),
         "a.smc": Example(smc()),
         "uneven.smc": Example(smc(uneven=True), even=False, peaked=False),
+        "since2012.V1": Example(csmip_rated(), peaked=False),
+        "usc.s0a": Example(usc_volume_2()),
+        "unam.txt": Example(unam(), timed=False),
+        "csmnc.dat": Example(csmnc(), timed=False),
         "nsmn.txt": Example(nsmn(), timed=False),
         "cwb.dat": Example(cwb()),
         "a.csv": Example(csv(), **unsaid),

@@ -32,7 +32,7 @@ def random_case(rng: np.random.Generator, p695: list[Motion]) -> tuple[Body, Mot
 
 def conditioning(body: Body, motion: Motion, support: Support) -> float:
     near = Body(
-        width=body.width * (1 + PERTURBATION),
+        base=body.base * (1 + PERTURBATION),
         cg_height=body.cg_height,
         left=body.left,
         gyration_radius=body.gyration_radius,

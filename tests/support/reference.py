@@ -80,7 +80,7 @@ def fly(acceleration, side, start, theta, omega, end, peak):
 def integrate(body, motion, tilt=0.0, *, kept=None, theta0=0.0):
     """The outcome, peak rotation and impacts of `body` under `motion`, in plain Python."""
     h, b_left = body.cg_height, body.left
-    arm = {1: body.width - b_left, -1: b_left}
+    arm = {1: body.base - b_left, -1: b_left}
     i2 = body.gyration_radius**2
     r = {s: math.hypot(h, arm[s]) for s in arm}
     alpha = {s: math.atan(arm[s] / h) for s in arm}

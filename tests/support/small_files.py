@@ -11,7 +11,8 @@ from openpyxl import Workbook
 from tests.support.record_files import write_at2
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
-SIZE = "--width-m 0.3 --height-m 1.8"
+SIZE = "--base-m 0.3 --height-m 1.8"
+BOX = "--depth-m 0.3 --width-m 0.6 --height-m 1.8"
 BARE = "--units g --time-step-s 0.01"  # the records of `bare` say neither
 FEW = f"--motions bare {BARE}"
 UPRIGHT = "--motions three"
@@ -36,10 +37,10 @@ PLAIN = {
     "calibrate": f"drops.csv {FEW} --members 64 --folds 3 --predict more.csv --out out",
     "template": "",
 }
-SOLID = "--width-m 0.3 --depth-m 0.4 --height-m 1.2 --record three/RSN1_A-E.AT2 --json {}"
+SOLID = "--depth-m 0.3 --width-m 0.4 --height-m 1.2 --record three/RSN1_A-E.AT2 --json {}"
 SOLID = SOLID.format("--static-friction 0.5")
-DRUM = "--width-m 0.3 --height-m 1.2 --shape cylinder --record three/RSN1_A-E.AT2 --json"
-DRUM_TILT = "--width-m 0.3 --height-m 1.2 --shape cylinder --motions three --tilt-deg 2 --json"
+DRUM = "--base-m 0.3 --height-m 1.2 --shape cylinder --record three/RSN1_A-E.AT2 --json"
+DRUM_TILT = "--base-m 0.3 --height-m 1.2 --shape cylinder --motions three --tilt-deg 2 --json"
 
 LIST = (
     "name,depth_m,width_m,height_m,castors,critical,floor\n"
@@ -54,7 +55,7 @@ SITES = (
 
 CAMPAIGN = """
 [bodies.grid]
-width_m = [0.2, 0.3]
+base_m = [0.2, 0.3]
 height_m = [1.0, 1.5]
 [motions]
 of = ["bare"]

@@ -27,6 +27,7 @@ class Run(NamedTuple):
     rank: NDArray[np.int8]
     found: object
     held_up: bool
+    edge: Floats  # what is told of an edge, by the columns of `physics.space.landing`
 
 
 def moved(run: SolidResponse) -> Floats:
@@ -86,6 +87,7 @@ def released(
         trace.rank[:n],
         found,
         bool(surroundings and numbers[0, SUMMARY] > 0.5),
+        numbers[0, SUMMARY + 1 + 2 * len(surroundings.straps if surroundings else ()) :],
     )
 
 

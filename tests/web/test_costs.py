@@ -45,14 +45,15 @@ PAST = 8.0
 @pytest.fixture(scope="module")
 def warm() -> None:
     """Compiled before it is timed."""
-    thing, pulse = {"width_m": 0.3, "height_m": 1.8}, Pulse(period_s=0.5, peak_g=0.3)
+    thing, pulse = {"base_m": 0.3, "height_m": 1.8}, Pulse(period_s=0.5, peak_g=0.3)
     for friction in (None, 0.5):
         work.many(Many(thing=Thing(**thing, friction=friction)))
         work.shake(Shake(thing=Thing(**thing, friction=friction), shaking=pulse))
     beside = Thing(**thing, beside=Beside(wall_gap_mm=10))
     work.shake(Shake(thing=beside, shaking=pulse))
-    space.many(ManyInSpace(thing=Upright(**thing), scale=0.1, curve=False))
-    space.shake(ShakeInSpace(thing=Upright(**thing), shaking=pulse))
+    box = Upright(depth_m=0.3, width_m=0.3, height_m=1.8)
+    space.many(ManyInSpace(thing=box, scale=0.1, curve=False))
+    space.shake(ShakeInSpace(thing=box, shaking=pulse))
 
 
 def cost(asked: Any, seconds: float) -> tuple[float, str]:
@@ -83,16 +84,20 @@ def test_no_question_costs_more_than_it_may(seed: int, caplog: pytest.LogCapture
 
 
 @pytest.mark.usefixtures("warm")
-@pytest.mark.parametrize("shape", ["box", "cylinder"])
-def test_the_least_friction_is_stopped(shape: str, caplog: pytest.LogCaptureFixture) -> None:
+@pytest.mark.parametrize(
+    "sizes", [{"depth_m": 0.3, "width_m": 0.3}, {"shape": "cylinder", "base_m": 0.3}]
+)
+def test_the_least_friction_is_stopped(
+    sizes: dict[str, object], caplog: pytest.LogCaptureFixture
+) -> None:
     """It took a worker minutes where the friction was 1e-308, and over one where it was 0.1."""
     caplog.set_level(logging.CRITICAL)
-    thing = Upright(shape=shape, width_m=0.3, height_m=1.8, friction=limits.LEAST_FRICTION)  # type: ignore[arg-type]
+    thing = Upright.model_validate({**sizes, "height_m": 1.8, "friction": limits.LEAST_FRICTION})
     seconds, end = cost(ManyInSpace(thing=thing), 1.0)
     assert end == "ended"
     assert seconds < 1.0 + PAST
     with pytest.raises(ValueError, match="friction"):
-        Upright(width_m=0.3, height_m=1.8, friction=1e-308)
+        Upright(depth_m=0.3, width_m=0.3, height_m=1.8, friction=1e-308)
 
 
 @pytest.mark.usefixtures("warm")
@@ -107,7 +112,7 @@ def test_what_is_small_and_thrown_about_ends(
     """Dice that flew or slid for an hour after their motion took 23 s and 2 GB."""
     caplog.set_level(logging.CRITICAL)
     thing = Thing(
-        width_m=0.005, height_m=0.005, cg_share=cg_share, eccentricity=eccentricity, tilt_deg=tilt,
+        base_m=0.005, height_m=0.005, cg_share=cg_share, eccentricity=eccentricity, tilt_deg=tilt,
         friction=0.02,
     )  # fmt: skip
     strong = np.random.default_rng(1).uniform(-LOUDEST, LOUDEST, samples)
@@ -120,11 +125,10 @@ def test_what_is_small_and_thrown_about_ends(
 
 
 def test_scaled_motions_are_as_strong_as_uploaded_ones_at_most() -> None:
-    thing = {"width_m": 0.3, "height_m": 1.8}
     uploaded = Uploaded(time_step_s=0.01, acceleration=[0.0, -60.0, 0.0])
     for kind, given in (
-        (Shake, {"thing": thing}),
-        (ShakeInSpace, {"thing": thing}),
+        (Shake, {"thing": {"base_m": 0.3, "height_m": 1.8}}),
+        (ShakeInSpace, {"thing": {"depth_m": 0.3, "width_m": 0.3, "height_m": 1.8}}),
         (LookAtMotion, {}),
     ):
         kind(**given, shaking=uploaded, scale=16.0)  # type: ignore[arg-type]
@@ -134,7 +138,7 @@ def test_scaled_motions_are_as_strong_as_uploaded_ones_at_most() -> None:
 
 def test_too_many_steps_are_refused() -> None:
     """Eccentric and low: 2,200 rad/s at 100 g, of which a step takes a tenth of a radian."""
-    thing = Thing(width_m=0.02, height_m=0.005, cg_share=0.01, eccentricity=0.99)
+    thing = Thing(base_m=0.02, height_m=0.005, cg_share=0.01, eccentricity=0.99)
     asked = Uploaded(time_step_s=0.01, acceleration=[LOUDEST] * limits.MOST_SAMPLES)
     with pytest.raises(InputError, match=r"takes [\d,]+ steps .* at most 1,000,000"):
         work.shake(Shake(thing=thing, shaking=asked))
@@ -142,13 +146,13 @@ def test_too_many_steps_are_refused() -> None:
 
 def test_needles_and_too_much_friction_are_refused() -> None:
     pulse = Pulse(period_s=0.5, peak_g=0.3)
-    needle = Upright(width_m=0.005, height_m=1.1)
+    needle = Upright(depth_m=0.005, width_m=0.005, height_m=1.1)
     with pytest.raises(InputError, match="at most 200 times"):
         space.shake(ShakeInSpace(thing=needle, shaking=pulse))
-    stuck = Upright(width_m=0.2, height_m=1.0, rolling_friction_mm=50.0)
-    with pytest.raises(InputError, match=r"at most 0\.2 of the width, 40 mm"):
+    stuck = Upright(depth_m=0.2, width_m=0.2, height_m=1.0, rolling_friction_mm=50.0)
+    with pytest.raises(InputError, match=r"at most 0\.2 of the base, 40 mm"):
         space.shake(ShakeInSpace(thing=stuck, shaking=pulse))
-    sheet = Thing(width_m=10.0, height_m=0.04)
+    sheet = Thing(base_m=10.0, height_m=0.04)
     with pytest.raises(InputError, match="at most 200 times"):
         work.shake(Shake(thing=sheet, shaking=pulse))
 

@@ -57,7 +57,7 @@ def test_python_the_terminal_my_list_and_one_thing(
     assess_list(Assess(text=LIST, suite=SUITE), str(tmp_path / "job"))
     told = json.loads((tmp_path / "job" / "result.en.json").read_text())
     assert told["objects"][0]["share"] == pytest.approx(expected, abs=1e-12)
-    thing = Upright(width_m=0.9, depth_m=0.32, height_m=1.8)
+    thing = Upright(depth_m=0.32, width_m=0.9, height_m=1.8)
     many = space.many(ManyInSpace(thing=thing, suite=SUITE, curve=False))
     assert many.share == pytest.approx(expected, abs=1e-12)
 

@@ -187,3 +187,21 @@ def test_a_full_disk_answers_507() -> None:
                 assert "secret" not in answer.text
 
     run(ask())
+
+
+def test_a_file_that_an_assessment_has_not_is_none(made: Jobs) -> None:
+    """That of a room has no report: its address answers 404."""
+
+    async def ask() -> None:
+        job = made.begin(Asker("alice"), assess_list, LIST)
+        await asyncio.sleep(0.01)
+        assert made.file(job, "report.html") is None
+        found = made.get(job)
+        assert found is not None
+        (found.folder / "report").mkdir(parents=True, exist_ok=True)
+        (found.folder / "report" / "report.html").write_text("found")
+        assert made.file(job, "report.html") == found.folder / "report" / "report.html"
+        assert made.file(job, "report.es.html") is None
+        await made.close()
+
+    run(ask())

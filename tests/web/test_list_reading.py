@@ -8,7 +8,7 @@ import json
 from pathlib import Path
 
 import pytest
-from openpyxl import Workbook
+from openpyxl import Workbook, load_workbook
 
 from shaketable.inventory import Item, read_inventory
 from shaketable.web.answers import ColumnRead, Understood
@@ -28,7 +28,7 @@ def said_of(columns: list[ColumnRead]) -> str:
 def sent(found: Understood) -> bytes:
     """The list as the page sends it back, as list.js writes it."""
     text = io.StringIO()
-    writer = csv.writer(text, delimiter=found.separator, quoting=csv.QUOTE_ALL)
+    writer = csv.writer(text, quoting=csv.QUOTE_ALL)
     writer.writerows([[each.header for each in found.columns], *found.rows])
     return text.getvalue().encode()
 
@@ -100,12 +100,66 @@ def test_headings_that_are_alike_are_told_apart(tmp_path: Path) -> None:
 
 
 def test_a_unit_that_is_not_known_is_asked(tmp_path: Path) -> None:
-    """Feet that are called otherwise are no metres, once somebody says which column it is."""
-    text = "name,T (Fuß),H (Fuß)\nshelf,1,4\n"
-    said = '[columns]\n"T (Fuß)" = "depth"\n"H (Fuß)" = "height"\n'
+    """Ells are no metres, once somebody says which column it is."""
+    text = "name,T (Elle),H (Elle)\nshelf,1,4\n"
+    said = '[columns]\n"T (Elle)" = "depth"\n"H (Elle)" = "height"\n'
     found = understand("mine.csv", text.encode(), columns=said)
-    assert "'fuß' is no unit that is known for 'depth'" in found.faults[0]
+    assert "'elle' is no unit that is known for 'depth'" in found.faults[0]
     fine = said.replace('"depth"', '"depth_ft"').replace('"height"', '"height_ft"')
     assert understand("mine.csv", text.encode(), columns=fine).faults == []
     raw = understand("mine.csv", text.encode())
-    assert [each.unit for each in raw.columns] == ["", "fuß", "fuß"]
+    assert [each.unit for each in raw.columns] == ["", "elle", "elle"]
+
+
+FORTY = Path(__file__).parents[1] / "inventory" / "forty"
+
+
+@pytest.mark.parametrize("name", sorted(json.loads((FORTY / "right.json").read_text("utf-8"))))
+def test_lists_of_all_kinds_survive_the_page(name: str, tmp_path: Path) -> None:
+    """What is read of the file is read of what the page makes of it."""
+    data = (FORTY / name).read_bytes()
+    found = understand(name, data)
+    if found.faults:
+        pytest.skip("it asks for a unit first")
+    items = read_inventory(FORTY / name)
+    again = back(found, tmp_path)
+    assert [(one.name, one.location) for one in again] == [(o.name, o.location) for o in items]
+    for one, other in zip(again, items, strict=True):
+        assert (one.height, one.mass, one.quantity) == (other.height, other.mass, other.quantity)
+        assert (one.body.base, one.shape) == (other.body.base, other.shape)
+    rows = ",".join(map(str, found.numbers))
+    told = understand(name, sent(found), columns=said_of(found.columns), rows=rows)
+    assert (told.objects, told.numbers) == (found.objects, found.numbers)
+    assert told.faults == []
+
+
+def test_messages_name_the_rows_of_the_users_own_file(tmp_path: Path) -> None:
+    rows: list[list[object]] = [
+        ["Ward 3"], [], ["name", "depth (cm)", "height (cm)"],
+        ["a", 30, 180], [], ["b", 40, "1.8."],
+    ]  # fmt: skip
+    first = understand("ward.xlsx", book(tmp_path, rows))
+    assert "ward.xlsx, cell C6" in first.faults[0]
+    columns = said_of(first.columns)
+    again = understand("ward.xlsx", sent(first), columns=columns, rows="4,6")
+    assert "ward.xlsx, row 6, height (cm): expected a positive number" in again.faults[0]
+
+
+def test_the_unit_of_a_number_format_is_sent(tmp_path: Path) -> None:
+    raw = book(tmp_path, [["name", "depth", "height"], ["a", 1.5, 4.5]])
+    path = tmp_path / "shown.xlsx"
+    path.write_bytes(raw)
+    made = load_workbook(path)
+    for cell in made.worksheets[0][2][1:]:
+        cell.number_format = '0.0" ft"'
+    made.save(path)
+    found = understand("shown.xlsx", path.read_bytes())
+    assert found.rows == [["a", "1.5 ft", "4.5 ft"]]
+    assert back(found, tmp_path)[0].height == pytest.approx(4.5 * 0.3048)
+
+
+def test_the_long_side_goes_along_the_wall_after_the_page_too(tmp_path: Path) -> None:
+    """Whichever of length and width is written first, the shorter one is the base's depth."""
+    data = b"Item,Length (cm),Width (cm),Height (cm)\nShelf,90,30,180\nDesk,60,120,75\n"
+    again = back(understand("list.csv", data), tmp_path)
+    assert [item.body.base for item in again] == pytest.approx([0.3, 0.6])

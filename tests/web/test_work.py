@@ -39,7 +39,7 @@ from shaketable.web.questions import (
 )
 from shaketable.web.uploads import Upload
 
-SHELF = Thing(width_m=0.32, height_m=1.8, friction=0.5)
+SHELF = Thing(base_m=0.32, height_m=1.8, friction=0.5)
 PULSE = Pulse(period_s=0.8, peak_g=0.3)
 
 
@@ -112,16 +112,16 @@ def test_what_stands_beside_it_is_simulated() -> None:
 
 
 def test_what_cannot_slide_may_stand_beside_a_wall() -> None:
-    thing = Thing(width_m=0.32, height_m=1.8, beside=Beside(wall_gap_mm=10))
+    thing = Thing(base_m=0.32, height_m=1.8, beside=Beside(wall_gap_mm=10))
     found = work.shake(Shake(thing=thing, shaking=Recording(name="NORTHR/MUL009")))
     assert found.slip_m < 1e-9
-    alone = Thing(width_m=0.32, height_m=1.8)
+    alone = Thing(base_m=0.32, height_m=1.8)
     assert work.shake(Shake(thing=alone, shaking=Recording(name="NORTHR/MUL009"))) != found
 
 
 def test_off_the_edge_and_over_the_lip() -> None:
     """A pulse to the right leaves what is slippery behind, to the left: over the edge."""
-    jar = Thing(width_m=0.25, height_m=0.3, friction=0.1)
+    jar = Thing(base_m=0.25, height_m=0.3, friction=0.1)
     pulse = Pulse(period_s=1.5, peak_g=0.6)
     ends = {}
     for lip in (0.0, 30.0):
@@ -227,11 +227,11 @@ def test_an_unknown_recording_is_named() -> None:
 
 @pytest.mark.parametrize(
     "wrong",
-    [{"width_m": 0.0}, {"width_m": math.nan}, {"height_m": 1e9}, {"cg_share": 1.0}, {"mass": 3.0}],
+    [{"base_m": 0.0}, {"base_m": math.nan}, {"height_m": 1e9}, {"cg_share": 1.0}, {"mass": 3.0}],
 )
 def test_things_that_cannot_be(wrong: dict[str, float]) -> None:
     with pytest.raises(ValidationError):
-        Thing(**{"width_m": 0.3, "height_m": 1.0, **wrong})
+        Thing(**{"base_m": 0.3, "height_m": 1.0, **wrong})
 
 
 def test_suites_are_those_of_the_package() -> None:

@@ -23,7 +23,7 @@ pgv = np.array([each.velocity for each in found])
 runs = simulate_many([shelf], motions, progress=False)
 falls = (runs.outcome != Outcome.STANDING).any("polarity").values.ravel()
 
-says = scores(shelf.width, 0.35, shelf.cg_height, shelf.gyration_radius, pga, pgv)
+says = scores(shelf.base, 0.35, shelf.cg_height, shelf.gyration_radius, pga, pgv)
 names = list(says)
 missed = [int((falls & (score <= 1)).sum()) for score in says.values()]
 alarms = [int((~falls & (score > 1)).sum()) for score in says.values()]

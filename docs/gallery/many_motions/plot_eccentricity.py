@@ -3,7 +3,7 @@ A centre of gravity off centre
 ==============================
 
 A body whose centre of gravity lies nearer to one edge falls more often, and to that side. The
-criterion of Ishiyama (1982) with the whole width does not see it; with B' = 2νB it does
+criterion of Ishiyama (1982) with the whole base does not see it; with B' = 2νB it does
 (Boroschek and Romo 2004).
 """
 
@@ -12,9 +12,7 @@ import numpy as np
 
 from shaketable import Body, Outcome, simulate_many, suite
 
-nus = np.linspace(
-    0.2, 0.5, 7
-)  # distance of the centre of gravity from the left edge over the width
+nus = np.linspace(0.2, 0.5, 7)  # distance of the centre of gravity from the left edge over the base
 bodies = [Body.rectangle(0.4, 1.8, eccentricity=nu) for nu in nus]
 runs = simulate_many(bodies, suite("fema-p695-far-field"), progress=False)
 over = ("motion", "polarity", "tilt", "scale")

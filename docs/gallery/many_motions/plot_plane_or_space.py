@@ -19,11 +19,11 @@ def share(body):
     return 100 * float((runs.outcome != Outcome.STANDING).mean())
 
 
-width, height = 0.3, 1.2
+base, height = 0.3, 1.2
 shares = {
-    "plane, one component": share(Body.rectangle(width, height)),
-    "box, both components": share(Solid.box(width, width, height)),
-    "cylinder, both components": share(Solid.cylinder(width, height)),
+    "plane, one component": share(Body.rectangle(base, height)),
+    "box, both components": share(Solid.box(base, base, height)),
+    "cylinder, both components": share(Solid.cylinder(base, height)),
 }
 for name, value in shares.items():
     print(f"{name}: {value:.0f} % of 48 simulations of 24 recordings")

@@ -20,7 +20,7 @@ figure, ax = plt.subplots()
 for body in (slender, squat):
     off, fell = [], []
     for lip in lips:
-        edge = Surroundings(edge=Edge(at=body.width / 2 + 0.05, lip=lip))
+        edge = Surroundings(edge=Edge(at=body.base / 2 + 0.05, lip=lip))
         runs = simulate_many(
             [body], motions, scales=[2.0], model=model, surroundings=edge, progress=False
         )

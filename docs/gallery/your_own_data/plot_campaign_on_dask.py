@@ -16,8 +16,8 @@ from distributed import Client
 
 from shaketable import Body, Outcome, run_campaign, suite
 
-widths, heights = np.linspace(0.2, 0.6, 9), np.linspace(0.6, 2.2, 9)
-bodies = [Body.rectangle(width, height) for height in heights for width in widths]
+bases, heights = np.linspace(0.2, 0.6, 9), np.linspace(0.6, 2.2, 9)
+bodies = [Body.rectangle(base, height) for height in heights for base in bases]
 store = Path(tempfile.mkdtemp()) / "campaign.zarr"
 
 # A scheduler's address in place of these two workers makes it a cluster: Client("tcp://host:8786").
@@ -29,6 +29,6 @@ share = (runs.outcome != Outcome.STANDING).mean(("motion", "polarity", "tilt", "
 print(f"{runs.outcome.size:,} simulations in {store.name}")
 
 figure, ax = plt.subplots()
-drawn = ax.contourf(widths, heights, 100 * share.values.reshape(9, 9), np.arange(0, 101, 10))
+drawn = ax.contourf(bases, heights, 100 * share.values.reshape(9, 9), np.arange(0, 101, 10))
 figure.colorbar(drawn, label="overturns [%]")
-ax.set(xlabel="width [m]", ylabel="height [m]")
+ax.set(xlabel="base [m]", ylabel="height [m]")

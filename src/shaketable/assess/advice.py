@@ -80,5 +80,5 @@ def _of_one_alike(result: ItemResult, tried: ItemResult | None) -> ItemResult:
         result,
         mitigations=tried.mitigations,
         curves=tried.curves,
-        safe_width=tried.safe_width,
+        safe_base=tried.safe_base,
     )

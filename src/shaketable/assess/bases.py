@@ -14,26 +14,26 @@ from shaketable.models import Rocking
 from shaketable.simulate import ShakingSet
 from shaketable.tilting import pieces, steepest
 
-BASE_GRID = np.r_[np.geomspace(0.25, 1.0, 13), np.geomspace(1.0, 6.0, 16)[1:]]  # times the width
-FINER_BASES = 8  # widths tried between two widths of the grid
+BASE_GRID = np.r_[np.geomspace(0.25, 1.0, 13), np.geomspace(1.0, 6.0, 16)[1:]]  # times the base
+FINER_BASES = 8  # bases tried between two bases of the grid
 
 #: The share of simulations that overturns each body on the tilt, (body,).
 Runner = Callable[[Sequence[Body]], NDArray[np.float64]]
 
 
-def widened(body: Body, width: float) -> Body:
-    """The same body on a base of another width [m].
+def widened(body: Body, base: float) -> Body:
+    """The same body on a base of another size [m].
 
     It stands for feet or a plate under an object: the centre of gravity keeps its height and its
     place between the corners, and the radius of gyration stays the same.
     """
-    return replace(body, width=width, left=body.left / body.width * width)
+    return replace(body, base=base, left=body.left / body.base * base)
 
 
 def safe_bases(
     bodies: Sequence[Body], tilt: float, trial: ShakingSet, done: Callable[[int], None]
 ) -> NDArray[np.float64]:
-    """The smallest base width [m] from which on a share ACCEPTED_FALLS at most falls; NaN if none.
+    """The smallest base [m] from which on a share ACCEPTED_FALLS at most falls; NaN if none.
 
     Args:
         bodies: as they are.
@@ -51,29 +51,29 @@ def safe_bases(
             [part.falls.sum(axis=(1, 2)) / part.simulations.sum(axis=1) for part in parts]
         )
 
-    # on BASE_GRID, then between its last unsafe width and the next one
+    # on BASE_GRID, then between its last unsafe base and the next one
     rows = np.arange(len(bodies))
-    widths = np.outer([body.width for body in bodies], BASE_GRID)
-    unsafe = _unsafe(bodies, widths, tilt, run)
+    bases = np.outer([body.base for body in bodies], BASE_GRID)
+    unsafe = _unsafe(bodies, bases, tilt, run)
     # by chance a wider base may fall a little more often: a body safe as it is needs no wider one
     present = int(np.argmin(np.abs(BASE_GRID - 1.0)))
     unsafe[~unsafe[:, present], present:] = False
     below = _last(unsafe)
     hopeless = below == BASE_GRID.size - 1
-    low = widths[rows, np.maximum(below, 0)]
-    high = widths[rows, np.minimum(below + 1, BASE_GRID.size - 1)]
+    low = bases[rows, np.maximum(below, 0)]
+    high = bases[rows, np.minimum(below + 1, BASE_GRID.size - 1)]
     finer = np.linspace(low, high, FINER_BASES + 2, axis=1)[:, 1:]
     found = finer[rows, _last(_unsafe(bodies, finer[:, :-1], tilt, run)) + 1]
-    found = np.where(below < 0, widths[:, 0], found)
+    found = np.where(below < 0, bases[:, 0], found)
     return np.where(hopeless, np.nan, found)
 
 
 def _unsafe(
-    bodies: Sequence[Body], widths: NDArray[np.float64], tilt: float, run: Runner
+    bodies: Sequence[Body], bases: NDArray[np.float64], tilt: float, run: Runner
 ) -> NDArray[np.bool_]:
-    """Whether a body falls too often at each of its `widths`, (body, k)."""
-    wide = [[widened(body, width) for width in row]
-            for body, row in zip(bodies, widths, strict=True)]  # fmt: skip
+    """Whether a body falls too often at each of its `bases`, (body, k)."""
+    wide = [[widened(body, base) for base in row]
+            for body, row in zip(bodies, bases, strict=True)]  # fmt: skip
     stable = np.array([tilt < steepest(row, Rocking()) for row in wide])
     unsafe = ~stable
     trials = [wide[i][k] for i, k in np.argwhere(stable)]

@@ -47,8 +47,8 @@ def kick_of(item: Item, carrier: Item) -> Kick:
         item: the object.
         carrier: homogeneous furniture on the floor, which rocks over its shorter side.
     """
-    base = min(_sides(carrier), key=lambda body: body.width)
-    b, r2 = base.width / 2, base.gyration_radius**2 + base.cg_height**2
+    base = min(_sides(carrier), key=lambda body: body.base)
+    b, r2 = base.base / 2, base.gyration_radius**2 + base.cg_height**2
     e = (r2 - b * b) / (r2 + b * b)
     side = min(_sides(item), key=lambda body: min(body.left, body.right))
     h, along = side.cg_height, (1.0 - e) * (carrier.height + side.cg_height)

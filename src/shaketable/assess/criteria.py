@@ -37,18 +37,18 @@ def criteria_of(
         stands: whether each is upright at the end, (profile, simulation).
     """
     sizes = [
-        (body.width, body.left / body.width, body.cg_height, body.gyration_radius)
+        (body.base, body.left / body.base, body.cg_height, body.gyration_radius)
         for body in (profile.body for profile in profiles)
     ]
-    width, nu, h, i = np.array(sizes).T[:, :, None]
+    base, nu, h, i = np.array(sizes).T[:, :, None]
     falls = (~stands).reshape(len(profiles), pga.size, 2).sum(axis=2)
-    warned = {name: score > 1.0 for name, score in scores(width, nu, h, i, pga, pgv).items()}
+    warned = {name: score > 1.0 for name, score in scores(base, nu, h, i, pga, pgv).items()}
     height = np.array([profile.item.height for profile in profiles])[:, None]
-    ratios = kaneko_hayashi_2004.overturning_ratio(width, height, pga, pgv).mean(axis=1)
-    formula = cimellaro_2020.overturning_ratio(width / height, pga).mean(axis=1)
+    ratios = kaneko_hayashi_2004.overturning_ratio(base, height, pga, pgv).mean(axis=1)
+    formula = cimellaro_2020.overturning_ratio(base / height, pga).mean(axis=1)
     beyond = [
         np.mean([bool(cimellaro_2020.out_of_range(ratio, float(a))) for a in pga])
-        for ratio in (width / height)[:, 0]
+        for ratio in (base / height)[:, 0]
     ]
     return [
         (

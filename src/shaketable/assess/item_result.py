@@ -59,7 +59,7 @@ class ProfileResult:
         downhill: share of the falls that go downhill, with its interval by bootstrap, or Wilson's
             where all go one way; NaN where there are fewer than tilting.FEWEST_FALLS.
         peak_rotation: [rad]; a fall counts as π/2.
-        safe_width: base width in this direction from which on few simulations overturn it [m], NaN
+        safe_base: base in this direction from which on few simulations overturn it [m], NaN
             if there is none or none was sought.
         sliding: None where the model does not slide.
         not_settled: how many simulations ended while it still moved, and had not fallen.
@@ -73,7 +73,7 @@ class ProfileResult:
     fall: Share
     downhill: Share
     peak_rotation: Quartiles
-    safe_width: float = math.nan
+    safe_base: float = math.nan
     sliding: Sliding | None = None
     not_settled: int = 0
 
@@ -228,11 +228,7 @@ class ItemResult(ProfileResult):
     @property
     def left_alone(self) -> bool:
         """Whether some of what surrounds it was not simulated."""
-        around = self.item.surroundings
-        if around is None:
-            return False
-        lip = around.edge is not None and around.edge.lip > 0.0
-        return self.as_it_stands is None or lip
+        return self.item.surroundings is not None and self.as_it_stands is None
 
     @property
     def overturns(self) -> Share:
@@ -307,7 +303,7 @@ class ItemResult(ProfileResult):
             return True
         return (
             across is not None
-            and max(across.width / item.body.width, item.body.width / across.width) <= SQUARE
+            and max(across.base / item.body.base, item.body.base / across.base) <= SQUARE
         )
 
     @property

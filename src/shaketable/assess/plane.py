@@ -78,7 +78,7 @@ def severity(result: ProfileResult) -> tuple[float, ...]:
     slip = result.sliding.slip.upper if result.sliding else 0.0
     far = math.inf if math.isnan(slip) else slip
     far = far if result.profile.item.rolls else 0.0
-    return (result.fall.value, result.governing_share.value, far, -result.profile.body.width)
+    return (result.fall.value, result.governing_share.value, far, -result.profile.body.base)
 
 
 def beside(
@@ -143,9 +143,8 @@ def with_bases(results: Sequence[ItemResult], plane: Plane, done: Done) -> list[
     return [
         replace(
             result,
-            safe_width=width.get((k, True), math.nan),
-            other=result.other
-            and replace(result.other, safe_width=width.get((k, False), math.nan)),
+            safe_base=width.get((k, True), math.nan),
+            other=result.other and replace(result.other, safe_base=width.get((k, False), math.nan)),
         )
         for k, result in enumerate(results)
     ]

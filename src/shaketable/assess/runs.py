@@ -169,5 +169,5 @@ def room(profile: Profile) -> tuple[float, float]:
     """
     if profile.support_length is None:
         return np.nan, np.nan
-    off_centre = profile.body.left - profile.body.width / 2
+    off_centre = profile.body.left - profile.body.base / 2
     return profile.support_length / 2 + off_centre, profile.support_length / 2 - off_centre

@@ -15,7 +15,7 @@ from shaketable.assess.results import FrictionResult, LevelResult, Sides, SolidR
 from shaketable.assess.runs import Done
 from shaketable.assess.shares import Share, is_worse, observed_quartiles, share_of
 from shaketable.assess.solid_runs import SolidRuns, Stood, one_of_each, run_solids
-from shaketable.inventory import Castors, Item, in_space, solid_of
+from shaketable.inventory import Castors, Item, solid_of
 from shaketable.models import General, Model, Rocking
 from shaketable.simulate import ShakingSet
 
@@ -80,7 +80,7 @@ class ShakingInSpace(NamedTuple):
             item,
             solid,
             tilt=0.0 if item.rolls else self.tilt,
-            around=in_space(item.surroundings),
+            around=item.surroundings,
             friction=self.castors.locked if item.castors is Castors.LOCKED else None,
         )
 

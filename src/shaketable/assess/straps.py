@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from shaketable.solid import Solid
-from shaketable.spelled_surroundings import AWAY, strap_of
+from shaketable.spelled_surroundings import AWAY, BodyStrap
 from shaketable.surroundings import Pad, Surroundings
 
 STIFFNESSES = (500.0, 2000.0)  # per mass [1/s²]: 50 and 200 kN/m for 100 kg
@@ -40,9 +40,8 @@ def in_strap(
     walls = around.walls if around else ()
     side = walls[0].azimuth if walls else 0.0
     behind = walls[0].gap or AWAY if walls else AWAY
-    pulls = f"slack={1e3 * slack:g}mm,stiffness={stiffness:g}N/m,damping={DAMPING:g}Ns/m"
-    spelled = f"{float(height)!r}m:{pulls}"
-    strap = strap_of(spelled, solid, side=side, behind=behind)
+    numbers = {"slack": slack, "stiffness": stiffness, "damping": DAMPING}
+    strap = BodyStrap(numbers, height).on(solid, side=side, behind=behind)
     pad = around.pad if around else None
     if pad is not None and solid.mass is not None:
         pad = Pad(pull_off=pad.pull_off / solid.mass)

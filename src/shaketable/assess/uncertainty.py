@@ -160,7 +160,7 @@ def _members(item: Item, kind: FurnitureKind, space: ShakingInSpace) -> list[Sto
     for depth, width, tilt, sideways in zip(
         depths, widths, lean.tolist(), aside.tolist(), strict=True
     ):
-        body = replace(depth, left=depth.width / 2) if round_base else depth
+        body = replace(depth, left=depth.base / 2) if round_base else depth
         like = replace(item, body=body, sideways=body if round_base else width)
         stood = space.stood(like)
         assert stood is not None

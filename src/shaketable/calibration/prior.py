@@ -89,7 +89,7 @@ class Prior:
         slenderness: α of the rectangle with its centre of gravity in the middle [rad].
         half_diagonal: r of that rectangle [m].
         cg_offset: of the foot of the centre of gravity from the middle of the base toward +x, as
-            a share of the base's width.
+            a share of the base.
         restitution_factor: multiplies the angular velocity that a plastic impact leaves.
         tilt: β of the support [rad].
 

@@ -27,9 +27,9 @@ class Uncertainty:
     """Standard deviations of uncertain parameters; 0 fixes a parameter.
 
     Args:
-        slenderness: of the logarithm of the base's width at the same height.
+        slenderness: of the logarithm of the base at the same height.
         size: of the logarithm of the body's size at the same shape.
-        cg_offset: of the centre of gravity's foot, as a share of the base's width.
+        cg_offset: of the centre of gravity's foot, as a share of the base.
         restitution: of the logarithm of the share of a plastic impact's angular velocity that is
             left; it varies downwards only, for that share is the most that there can be.
         tilt: of the support [rad].
@@ -139,16 +139,16 @@ def uncertain(
     of = dict(zip((field.name for field in fields(Uncertainty)), normal.T, strict=True))
     wide = np.exp(uncertainty.slenderness * of["slenderness"])
     large = np.exp(uncertainty.size * of["size"])
-    foot = body.left / body.width + uncertainty.cg_offset * of["cg_offset"]
+    foot = body.left / body.base + uncertainty.cg_offset * of["cg_offset"]
     foot = np.clip(foot, LEAST_FOOT, 1.0 - LEAST_FOOT)
     own = body.restitution_factor
     kept = np.exp(-uncertainty.restitution * np.abs(of["restitution"]))
     bodies = [
         replace(
             body,
-            width=body.width * w * s,
+            base=body.base * w * s,
             cg_height=body.cg_height * s,
-            left=body.width * w * s * f,
+            left=body.base * w * s * f,
             gyration_radius=body.gyration_radius * s,
             restitution_factor=own and k * own,
         )

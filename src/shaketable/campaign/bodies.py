@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from shaketable.body import Body
 from shaketable.errors import InputError, named
-from shaketable.inventory import Item, in_space, read_inventory, solid_of
+from shaketable.inventory import Item, read_inventory, solid_of
 from shaketable.inventory.directions import directed
 from shaketable.simulate.checks import stand
 from shaketable.simulate.kinds import are_solids
@@ -25,7 +25,8 @@ from shaketable.toml_file import TomlFile, is_number
 
 log = logging.getLogger(__name__)
 
-SIZES = ("width_m", "height_m", "depth_m", "eccentricity", "restitution_factor")
+SIZES = ("base_m", "depth_m", "width_m", "height_m", "eccentricity", "restitution_factor")
+BOX = ("depth_m", "width_m")  # along x, from front to back, and along y
 SHAPE, SHAPES = "shape", ("box", "cylinder")
 KINDS = ("inventory", "grid", "sobol")
 ONLY_STANDING, SOLIDS = "only_standing", "solids"
@@ -59,7 +60,9 @@ def bodies_of(told: TomlFile) -> tuple[Bodies, Held]:
     }
     told.get("bodies", ONLY_STANDING, bool, False)
     if told.get("bodies", SOLIDS, bool, False) and given["inventory"] is None:
-        told.fault(f"bodies.{SOLIDS}", "is for an inventory; a grid has depth_m or shape")
+        told.fault(
+            f"bodies.{SOLIDS}", "is for an inventory; a grid has depth_m and width_m, or shape"
+        )
     chosen = [name for name, value in given.items() if value is not None]
     if len(chosen) != 1:
         found = ", ".join(chosen) or "none"
@@ -169,15 +172,11 @@ def _solids_of(items: Sequence[tuple[int, Item]], held: bool) -> tuple[list[Soli
             len(items),
             named(unknown, MOST_NAMED),
         )
-    surroundings = {k: in_space(item.surroundings) for k, item in items}
-    lost = [item.name for k, item in items if item.surroundings != surroundings[k]]
-    if lost:
-        log.warning("lips are not of solids, and left out: %s", named(lost, MOST_NAMED))
     solids: list[Solid] = []
     around: dict[str, Surroundings] = {}
     for k, item, solid in found:
         if solid is not None:
-            own = surroundings[k]
+            own = item.surroundings
             mass = item.mass if held or own else None
             solids.append(replace(solid.renamed(f"{k}: {item.name}"), mass=mass))
             around |= {solids[-1].name: own} if own else {}
@@ -250,9 +249,11 @@ def _sizes(told: TomlFile, where: str, given: Mapping[str, Any]) -> dict[str, An
             accepted = ", ".join((*SIZES, SHAPE))
             told.fault(f"bodies.{where}.{name}", f"unknown; accepted: {accepted}")
     _require_shape(told, f"bodies.{where}", given)
-    for name in SIZES[:2]:
-        if name not in given:
-            told.fault(f"bodies.{where}", f"{name} is missing")
+    sizes = BOX if _is_box(given) else ("base_m",)
+    for name in (*sizes, "height_m"):
+        told_already = name == "base_m" and "width_m" in given and SHAPE not in given
+        if name not in given and not told_already:
+            told.fault(f"bodies.{where}", _missing(name))
     return {name: value for name, value in given.items() if name in SIZES}
 
 
@@ -282,13 +283,31 @@ def _require_shape(told: TomlFile, where: str, given: Mapping[str, Any]) -> None
     shape = given.get(SHAPE)
     if shape is not None and shape not in SHAPES:
         told.fault(f"{where}.{SHAPE}", f"expected {' or '.join(SHAPES)}, found {shape!r}")
-    if shape == "box" and "depth_m" not in given:
-        told.fault(f"{where}.{SHAPE}", "a box needs depth_m, across its width")
-    unfit = ("depth_m", "eccentricity") if shape == "cylinder" else ()
-    solid = shape is not None or "depth_m" in given
-    for name in (*unfit, *(("restitution_factor",) if solid else ())):
+    box = _is_box(given)
+    if "width_m" in given and not (box or shape):
+        told.fault(f"{where}.width_m", "of a box, beside depth_m; in a plane the one size along "
+                   "the shaking is base_m")  # fmt: skip
+    unfit = ["base_m"] if box else []
+    unfit += ["eccentricity", *BOX] if shape == "cylinder" else []
+    unfit += ["restitution_factor"] if box or shape is not None else []
+    for name in unfit:
         if name in given:
             told.fault(f"{where}.{name}", f"a {shape or 'box'} in three dimensions has none")
+
+
+def _is_box(given: Mapping[str, Any]) -> bool:
+    """Whether sizes are a box's: it has a depth or, beside no base, a width."""
+    named = given.get(SHAPE) == "box" or "depth_m" in given
+    return named and given.get(SHAPE) != "cylinder"
+
+
+def _missing(name: str) -> str:
+    """What is said where a size is missing."""
+    if name == "base_m":
+        return "base_m is missing: the size along the shaking, or the diameter of a cylinder"
+    if name in BOX:
+        return f"{name} is missing: a box has depth_m, along the shaking, and width_m, across it"
+    return f"{name} is missing"
 
 
 def _made(told: TomlFile, where: str, rows: list[dict[str, float]], shape: str | None) -> Bodies:
@@ -306,14 +325,14 @@ def _made(told: TomlFile, where: str, rows: list[dict[str, float]], shape: str |
 
 
 def _one(row: Mapping[str, float], shape: str | None, name: str) -> Body | Solid:
-    width, height = row["width_m"], row["height_m"]
-    eccentricity = row.get("eccentricity", 0.5)
+    height, eccentricity = row["height_m"], row.get("eccentricity", 0.5)
     if shape == "cylinder":
-        return Solid.cylinder(width, height, name=name)
+        return Solid.cylinder(row["base_m"], height, name=name)
     if "depth_m" in row:
-        return Solid.box(width, row["depth_m"], height, eccentricity=(eccentricity, 0.5), name=name)
+        sizes = row["depth_m"], row["width_m"]
+        return Solid.box(*sizes, height, eccentricity=(eccentricity, 0.5), name=name)
     return Body.rectangle(
-        width,
+        row["base_m"],
         height,
         eccentricity=eccentricity,
         restitution_factor=row.get("restitution_factor"),

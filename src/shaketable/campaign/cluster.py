@@ -9,10 +9,12 @@ one by one, for Dask cannot tell which of them it was.
 from __future__ import annotations
 
 import logging
+import signal
 import threading
 import time
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from typing import Any
 
 from shaketable.campaign import blocks as one
@@ -31,7 +33,7 @@ TIMEOUT = 30.0  # s for a scheduler, and for a first worker, to answer
 
 
 def connect(scheduler: str) -> Any:
-    """A client of a scheduler.
+    """A client of a scheduler, to be used in a `with` statement.
 
     Raises:
         InputError: it does not answer within TIMEOUT, or the extra is not installed.
@@ -46,15 +48,63 @@ def connect(scheduler: str) -> Any:
     return client
 
 
-def local(workers: int) -> Any:
-    """A client of so many processes on this machine, of one thread each."""
+@contextmanager
+def local(workers: int) -> Iterator[Any]:
+    """A client of so many processes on this machine, of one thread each, that end with it.
+
+    Raises:
+        InputError: the extra is not installed.
+        SimulationError: they do not start.
+    """
     client_class = _client()
-    return client_class(
-        n_workers=workers,
-        threads_per_worker=1,
-        dashboard_address=":0",
-        memory_limit=0,
-    )
+    from distributed import LocalCluster
+
+    with ExitStack() as begun:
+        try:
+            with _without_ctrl_c():
+                cluster = begun.enter_context(
+                    _closed(
+                        LocalCluster(
+                            n_workers=workers,
+                            threads_per_worker=1,
+                            dashboard_address=":0",
+                            memory_limit=0,
+                        )
+                    )
+                )
+                client = begun.enter_context(_closed(client_class(cluster)))
+        except (OSError, RuntimeError) as error:  # their waiting goes by the time of day
+            raise SimulationError(
+                f"--workers {workers}: the processes did not start ({error}); "
+                "the same command goes on"
+            ) from None
+        yield client
+
+
+@contextmanager
+def _closed(begun: Any) -> Iterator[Any]:
+    """What Dask began, ended whatever happens; a Ctrl-C meanwhile has nothing left to stop."""
+    try:
+        yield begun
+    finally:
+        with _without_ctrl_c():
+            begun.close()
+
+
+@contextmanager
+def _without_ctrl_c() -> Iterator[None]:
+    """What begins within never hears Ctrl-C, which a terminal sends to all; nor do we meanwhile.
+
+    While its processes start and end Dask can neither be stopped by it nor tell of it.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 def _client() -> Any:

@@ -99,9 +99,9 @@ def by_recording_table(results: xr.Dataset) -> pd.DataFrame:
 def _sizes(bodies: Sequence[Body] | Sequence[Solid]) -> dict[str, NDArray[np.float64]]:
     """Sizes that tell bodies apart [m], by column, (body,)."""
     table = [
-        {"width_m": body.extent[0], "depth_m": body.extent[1], "cg_height_m": body.cg_height}
+        {"depth_m": body.extent[0], "width_m": body.extent[1], "cg_height_m": body.cg_height}
         if isinstance(body, Solid)
-        else {"width_m": body.width, "cg_height_m": body.cg_height, "left_m": body.left}
+        else {"base_m": body.base, "cg_height_m": body.cg_height, "left_m": body.left}
         for body in bodies
     ]
     return {name: np.array([row[name] for row in table]) for name in table[0]}

@@ -6,16 +6,17 @@ only_standing = true                  # leaves out what falls by itself on one o
 solids = true                         # its objects in three dimensions
 
 [bodies.grid]                         # every combination
-width_m = {from = 0.2, to = 0.6, count = 9}
+base_m = {from = 0.2, to = 0.6, count = 9}  # along the shaking
 height_m = [1.0, 1.8]                 # also cg offsets and losses:
 eccentricity = 0.5
 restitution_factor = [0.8, 1.0]
-depth_m = 0.4                         # solids: a box, or shape = "cylinder" of that width
+#                                     # solids: depth_m (x) and width_m (y) of a box in place of
+#                                     # base_m, or shape = "cylinder", whose diameter is base_m
 
 [bodies.sobol]                        # spread evenly over ranges
 count = 1024
 seed = 1
-width_m = {from = 0.2, to = 0.6, logarithmic = true}
+base_m = {from = 0.2, to = 0.6, logarithmic = true}
 height_m = {from = 1.0, to = 2.0}
 
 [motions]
@@ -39,7 +40,7 @@ wall_gap_mm = 10                      # from the side toward +x to a wall behind
 wall_restitution = 0.3                # likewise wall_friction
 straps = ["top:slack=5mm,stiffness=100kN/m"]
 mass_kg = 100                         # of what the inventory has no mass of
-edge_mm = 20                          # planar: from the side toward -x to where the support ends
+edge_mm = 20                          # from the side toward -x to where the support ends
 lip_mm = 5                            # and the lip there
 pad_n = 50                            # planar: force that pulls off a foot that is glued down
 

@@ -18,7 +18,7 @@ from shaketable.lazy_motions import heads_of
 if TYPE_CHECKING:
     from shaketable.campaign.rooms import Rooms
 
-FORMAT = 5
+FORMAT = 6
 ROOMS = "rooms"  # whose module needs the extra of that name
 
 

@@ -113,7 +113,7 @@ class Plan:
             model=model,
             surroundings=surroundings,
         )
-        require_device(device)
+        require_device(device, ensemble.kind)
         if block is None:
             block = (BLOCKS_OF_SOLIDS if are_solids(bodies) else BLOCKS)[keep]
         require_whole("block", block)

@@ -64,7 +64,7 @@ def run_campaign(
             temporary file: of any number only those at hand are in memory.
         store: a folder, or a URL that fsspec knows.
         client: a dask.distributed.Client whose workers do the blocks; this process by default.
-        device: "cpu", or "cuda" for a GPU by NVIDIA.
+        device: "cpu", or "cuda" for a GPU by NVIDIA, of planar bodies.
         keep: "all" keeps every simulation (22 bytes each with the rocking model, 54 with the
             general one, 86 for solids, 1 + 16 n more with n straps, before compression); "summary"
             keeps counts by body, tilt and scale.

@@ -11,7 +11,7 @@ from shaketable.errors import InputError, named
 from shaketable.models import Model
 from shaketable.simulate.kinds import are_solids
 from shaketable.simulate.space_input import require_surrounded
-from shaketable.spelled_surroundings import metres, surroundings_of
+from shaketable.spelled_surroundings import metres, read_strap, surroundings_of
 from shaketable.surroundings import Surroundings
 from shaketable.toml_file import TomlFile
 
@@ -70,7 +70,7 @@ def surrounded(
             own = surroundings_of(
                 body,
                 *orientations,
-                straps=straps,
+                straps=[read_strap(text) for text in straps],
                 wall_gap=metres(gap),
                 wall_friction=friction,
                 wall_restitution=restitution,

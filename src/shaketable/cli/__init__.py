@@ -18,6 +18,7 @@ from shaketable.cli.lazy import LazyGroup
 from shaketable.errors import InputError, SimulationError
 from shaketable.extras import missing, remedy
 from shaketable.inputs import require_readable
+from shaketable.language import Language, speaking, translated
 
 app = typer.Typer(
     cls=LazyGroup,
@@ -114,13 +115,14 @@ def main() -> None:
             require_readable(argument)
         app()
     except InputError as error:
-        _fail(str(error), 2)
+        _fail(str(error), 2, getattr(error, "spoken", "en"))
     except SimulationError as error:
-        _fail(str(error), 1)
+        _fail(str(error), 1, getattr(error, "spoken", "en"))
     except OSError as error:
         code = 2 if error.errno == errno.ENAMETOOLONG else 1  # no machine could have such a file
-        name = error.filename or _full_stream() or "a file"
-        _fail(f"{name}: {error.strerror or error}", code)
+        place = error.filename or _full_stream()
+        told = error.strerror or str(error)
+        _fail(f"{place}: {told}" if place else told, code)
 
 
 def _full_stream() -> str | None:
@@ -133,9 +135,10 @@ def _full_stream() -> str | None:
     return None
 
 
-def _fail(message: str, code: int) -> None:
+def _fail(message: str, code: int, language: Language = "en") -> None:
     from shaketable.cli.spelling import as_options
 
     for line in as_options(message).splitlines():
-        say(f"error: {line}", err=True)
+        with speaking(language):
+            say(f"{translated('error')}: {line}", err=True)
     sys.exit(code)

@@ -99,9 +99,11 @@ def assess(
         ),
     ] = None,
     advise: Annotated[
-        int,
-        typer.Option(min=0, help="Number of kinds of object for which measures are simulated."),
-    ] = LEADING,
+        int | None,
+        typer.Option(
+            min=0, help=f"Number of kinds of object for which measures are simulated. [{LEADING}]"
+        ),
+    ] = None,
     wall: Annotated[
         str | None,
         typer.Option(
@@ -187,6 +189,8 @@ def assess(
         where, kinds = _premises(profile), _kinds(try_)
         if kinds and planar:
             raise InputError("--try: simulates in three dimensions; leave out --planar")
+        if advise and planar:
+            raise InputError("--advise: simulates in three dimensions; leave out --planar")
         order = _weights(weights, where)
         scaling = scaling_of(pga_levels, sa_levels, target_spectrum, scale)
         require_folder(out, overwrite, run_log)
@@ -251,7 +255,7 @@ def assess(
             planar=planar,
             premises=where,
             mitigations=kinds,
-            leading=advise,
+            leading=LEADING if advise is None else advise,
             walls=walls,
         )
         yearly = None
@@ -272,6 +276,7 @@ def assess(
                 "path": str(path),
                 "sha256": sha256(path),
                 "items": len(table.items),
+                "not_assessed": table.not_assessed,
                 "said_in": table.said_in
                 and {"path": str(table.said_in), "sha256": sha256(table.said_in)},
             },

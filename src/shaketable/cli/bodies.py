@@ -23,9 +23,9 @@ InventoryOfBodies = Annotated[
     Path | None,
     typer.Option("--inventory", help="Table of objects, as for assess; each in both directions."),
 ]
-OneWidthM = Annotated[
+OneBaseM = Annotated[
     float | None,
-    typer.Option("--width-m", help="Base width [m] of one object, with --height-m."),
+    typer.Option("--base-m", help="Base [m] of one object, with --height-m."),
 ]
 OneHeightM = Annotated[float | None, typer.Option("--height-m", help="Its full height [m].")]
 
@@ -35,30 +35,32 @@ class BodyOptions:
     """The objects of an inventory, or one by its sizes."""
 
     inventory: InventoryOfBodies = None
-    width_m: OneWidthM = None
+    base_m: OneBaseM = None
     height_m: OneHeightM = None
     eccentricity: Eccentricity = 0.5
 
     def bodies(self) -> list[Body]:
         """Those of an inventory in both directions, or the one."""
-        return bodies_from(self.inventory, self.width_m, self.height_m, self.eccentricity)
+        return bodies_from(self.inventory, self.base_m, self.height_m, self.eccentricity)
 
 
 def bodies_from(
-    inventory: Path | None, width: float | None, height: float | None, eccentricity: float
+    inventory: Path | None, base: float | None, height: float | None, eccentricity: float
 ) -> list[Body]:
     """Those of an inventory, or one of the sizes given [m]."""
     from shaketable.body import Body
     from shaketable.inventory import both_directions, read_inventory
 
-    if (inventory is None) == (width is None and height is None):
-        raise InputError("give --inventory, or --width-m and --height-m of one object")
+    if (inventory is None) == (base is None and height is None):
+        raise InputError("give --inventory, or --base-m and --height-m of one object")
+    if inventory is not None and eccentricity != 0.5:
+        raise InputError("--eccentricity: of one object; a list has a column of it")
     if inventory is None:
-        if width is None or height is None:
-            raise InputError("--width-m and --height-m: give both of them")
-        warn_of_sizes(width, height)
-        name = f"{width:g} × {height:g} m"
-        return [Body.rectangle(width, height, eccentricity=eccentricity, name=name)]
+        if base is None or height is None:
+            raise InputError("--base-m and --height-m: give both of them")
+        warn_of_sizes({"--base-m": base, "--height-m": height})
+        name = f"{base:g} × {height:g} m"
+        return [Body.rectangle(base, height, eccentricity=eccentricity, name=name)]
     items = [
         (number, item) for number, item in enumerate(read_inventory(inventory), 1) if item.loose
     ]

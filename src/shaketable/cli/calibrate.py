@@ -53,10 +53,10 @@ def calibrate(
             "tilt 0]"
         ),
     ] = None,
-    depth_m: Annotated[
+    base_m: Annotated[
         float | None,
         typer.Option(
-            help="Measured depth [m] along the shaking, with --height-m: a prior about it."
+            help="Measured base [m] along the shaking, with --height-m: a prior about it."
         ),
     ] = None,
     height_m: Annotated[float | None, typer.Option(help="Measured height [m].")] = None,
@@ -83,16 +83,16 @@ def calibrate(
 
     run_log = RunLog()
     require_folder(out, overwrite, run_log)
-    if (depth_m is None) != (height_m is None):
-        raise InputError("--depth-m and --height-m: give both of them, or none")
+    if (base_m is None) != (height_m is None):
+        raise InputError("--base-m and --height-m: give both of them, or none")
     nominal = None
     ranges = Prior()
-    if depth_m is not None and height_m is not None:
-        require_positive("--depth-m", depth_m)
+    if base_m is not None and height_m is not None:
+        require_positive("--base-m", base_m)
         require_positive("--height-m", height_m)
-        warn_of_sizes(depth_m, height_m, "--depth-m")
-        nominal = Body.rectangle(depth_m, height_m)
-        ranges = Prior.around(depth_m, height_m)
+        warn_of_sizes({"--base-m": base_m, "--height-m": height_m})
+        nominal = Body.rectangle(base_m, height_m)
+        ranges = Prior.around(base_m, height_m)
     if prior is not None:
         ranges = read_prior(prior, ranges)
     known = read_tests(tests, motions, **reading.as_read)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from contextlib import suppress
+from contextlib import AbstractContextManager, nullcontext, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -52,7 +52,9 @@ def run(
     workers: Annotated[
         int | None, typer.Option(min=1, help="Processes on this machine, of one thread each.")
     ] = None,
-    device: Annotated[str, typer.Option(help="cpu, or cuda: a GPU by NVIDIA.")] = "cpu",
+    device: Annotated[
+        str, typer.Option(help="cpu, or cuda: a GPU by NVIDIA, of planar bodies.")
+    ] = "cpu",
     fresh: Annotated[
         bool,
         typer.Option("--fresh", help="Start again and discard the campaign that the store holds."),
@@ -82,22 +84,20 @@ def run(
         return
     if store is None:
         raise InputError("--store: name a folder or a URL for the results, or give --dry-run")
-    client: Any = None
+    clients: AbstractContextManager[Any] = nullcontext()
     if scheduler is not None:
-        client = cluster.connect(scheduler)
+        clients = cluster.connect(scheduler)
     elif workers is not None:
-        client = cluster.local(workers)
-    try:
-        run_work(work, store, client=client, fresh=fresh)
-    except KeyboardInterrupt:
-        with suppress(InputError, SimulationError):  # nothing may have been written yet
-            _tell_status(store)
-        raise SimulationError(
-            f"{store}: stopped; the same command{', without --fresh,' if fresh else ''} goes on"
-        ) from None
-    finally:
-        if client is not None:
-            client.close()
+        clients = cluster.local(workers)
+    with clients as client:
+        try:
+            run_work(work, store, client=client, fresh=fresh)
+        except KeyboardInterrupt:
+            with suppress(InputError, SimulationError):  # nothing may have been written yet
+                _tell_status(store)
+            raise SimulationError(
+                f"{store}: stopped; the same command{', without --fresh,' if fresh else ''} goes on"
+            ) from None
     _tell_status(store)
     say(f"Then: shaketable campaign collect {store} --out RESULT")
 

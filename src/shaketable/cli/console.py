@@ -20,6 +20,11 @@ def say(text: str, *, err: bool = False) -> None:
         raise
 
 
+def say_line(text: str) -> None:
+    """Print one line; line breaks of names in it are escapes, too."""
+    say(printable(text))
+
+
 class Printable(logging.Formatter):
     """Log messages in the language that is spoken, with control characters as escapes."""
 

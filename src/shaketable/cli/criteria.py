@@ -13,13 +13,14 @@ from shaketable.body import Body
 from shaketable.cli.console import say
 from shaketable.cli.levels import STRONGEST
 from shaketable.cli.options import (
+    BaseM,
     Eccentricity,
     HeightM,
     ReadingOptions,
     Scale,
-    WidthM,
     warn_of_sizes,
 )
+from shaketable.cli.shaking import require_used
 from shaketable.errors import InputError, require_positive
 from shaketable.records import read_motion
 from shaketable.records.plausible import LOUDEST
@@ -32,7 +33,7 @@ log = logging.getLogger(__name__)
 
 def criteria(
     *,
-    width_m: WidthM,
+    base_m: BaseM,
     height_m: HeightM,
     pga_g: Annotated[float | None, typer.Option(help="Peak ground acceleration [g].")] = None,
     pgv_cm_s: Annotated[float | None, typer.Option(help="Peak ground velocity [cm/s].")] = None,
@@ -71,12 +72,13 @@ def criteria(
     from shaketable.simulate import simulate
 
     require_positive("--scale", scale)
-    body = Body.rectangle(width_m, height_m, eccentricity=eccentricity)
-    warn_of_sizes(width_m, height_m)
+    body = Body.rectangle(base_m, height_m, eccentricity=eccentricity)
+    warn_of_sizes({"--base-m": base_m, "--height-m": height_m})
     least_weight, rocks_with = None, None
     if record is not None:
         if pga_g is not None or pgv_cm_s is not None:
             raise InputError("--record: gives the PGA and the PGV; leave out --pga-g, --pgv-cm-s")
+        require_used([str(record)], **reading.as_read)
         motion = read_motion(
             record,
             component=component,
@@ -90,6 +92,13 @@ def criteria(
         rocks_with = largest_demand(simulate(body, motion))
         source = f"{motion.name}{', baseline corrected' if found.corrected else ''}"
     else:
+        given = {
+            "--component": component, "--vertical": vertical, "--units": reading.units,
+            "--time-step-s": reading.time_step_s,
+        }  # fmt: skip
+        of_record = [option for option, value in given.items() if value is not None]
+        if of_record:
+            raise InputError(f"{', '.join(of_record)}: for a --record; leave it out, or give one")
         if pga_g is None or pgv_cm_s is None:
             raise InputError("give both --pga-g and --pgv-cm-s, or a --record to take them from")
         pga, pgv = scale * pga_g * STANDARD_GRAVITY, scale * pgv_cm_s * CM
@@ -116,10 +125,10 @@ def criteria(
         say(json.dumps(told))
         return
     lines = [
-        f"{width_m:g} m × {height_m:g} m, eccentricity {eccentricity:g}, under PGA "
+        f"{base_m:g} m × {height_m:g} m, eccentricity {eccentricity:g}, under PGA "
         f"{pga / STANDARD_GRAVITY:.3g} g and PGV {pgv / CM:.3g} cm/s ({source})",
         *verdict_lines(said),
-        *floor_lines(width_m, height_m, pga, pgv),
+        *floor_lines(base_m, height_m, pga, pgv),
         *body_lines(body, pga, least_weight),
         *demand_lines(rocks_with),
         *bottom_line(body, pga, pgv, height_m, said),

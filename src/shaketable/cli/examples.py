@@ -14,26 +14,26 @@ EXAMPLES = {
         "shaketable room film examples/hospital_room.toml --out room.gif",
     ),
     "simulate": (
-        "shaketable simulate --width-m 0.32 --height-m 1.8 --record RSN1004.AT2 --plot shelf.png",
-        "shaketable simulate --width-m 0.5 --height-m 1.1 --record a.txt --units g "
+        "shaketable simulate --base-m 0.32 --height-m 1.8 --record RSN1004.AT2 --plot shelf.png",
+        "shaketable simulate --base-m 0.5 --height-m 1.1 --record a.txt --units g "
         "--time-step-s 0.01 --model general --static-friction 0.4",
     ),
     "tilt": (
-        "shaketable tilt --width-m 0.32 --height-m 1.8 --plot tilt.png",
-        "shaketable tilt --width-m 0.32 --height-m 1.8 --tilt-deg 2 --building clinic.toml "
+        "shaketable tilt --base-m 0.32 --height-m 1.8 --plot tilt.png",
+        "shaketable tilt --base-m 0.32 --height-m 1.8 --tilt-deg 2 --building clinic.toml "
         "--motions fema-p695-far-field",
     ),
     "criteria": (
-        "shaketable criteria --width-m 0.32 --height-m 1.8 --pga-g 0.4 --pgv-cm-s 40",
-        "shaketable criteria --width-m 0.6 --height-m 1.6 --eccentricity 0.42 --record RSN1004.AT2",
+        "shaketable criteria --base-m 0.32 --height-m 1.8 --pga-g 0.4 --pgv-cm-s 40",
+        "shaketable criteria --base-m 0.6 --height-m 1.6 --eccentricity 0.42 --record RSN1004.AT2",
     ),
     "initial-modes": (
-        "shaketable initial-modes --width-m 0.5 --height-m 1.0 --static-friction 0.4",
-        "shaketable initial-modes --width-m 0.5 --height-m 1.0 --static-friction 0.45 "
+        "shaketable initial-modes --base-m 0.5 --height-m 1.0 --static-friction 0.4",
+        "shaketable initial-modes --base-m 0.5 --height-m 1.0 --static-friction 0.45 "
         "--kinetic-friction 0.4 --eccentricity 0.4 --out cart.png",
     ),
     "fragility": (
-        "shaketable fragility --width-m 0.32 --height-m 1.8 --out bookcase --export nrml,pelicun",
+        "shaketable fragility --base-m 0.32 --height-m 1.8 --out bookcase --export nrml,pelicun",
         "shaketable fragility --inventory examples/hospital.csv --measure 'SA(1.0)' "
         "--limit-states 'rocks 0.5 alpha, overturns' --out hospital",
     ),
@@ -52,11 +52,11 @@ EXAMPLES = {
         "shaketable scenario city.csv --shakemap grid.xml --out quake",
     ),
     "ida": (
-        "shaketable ida --width-m 0.32 --height-m 1.8 --out capacities",
+        "shaketable ida --base-m 0.32 --height-m 1.8 --out capacities",
         "shaketable ida --inventory examples/hospital.csv --measure PGA --out capacities",
     ),
     "overturning-spectrum": (
-        "shaketable overturning-spectrum --width-m 0.32 --height-m 1.8 --pulse ricker "
+        "shaketable overturning-spectrum --base-m 0.32 --height-m 1.8 --pulse ricker "
         "--out spectrum",
         "shaketable overturning-spectrum --record RSN1004.AT2 --slenderness-deg 10,20 "
         "--out rocking",

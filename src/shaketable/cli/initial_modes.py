@@ -9,7 +9,7 @@ import typer
 
 from shaketable.body import Body
 from shaketable.cli.console import say
-from shaketable.cli.options import Eccentricity, HeightM, KineticFriction, WidthM
+from shaketable.cli.options import BaseM, Eccentricity, HeightM, KineticFriction
 from shaketable.criteria.psycharis_1990 import StackMode, stack_borders
 from shaketable.criteria.shenton_1996 import Mode, shape_of, thresholds
 from shaketable.errors import InputError
@@ -26,7 +26,7 @@ WORDS = {Mode.SLIDE: "slides", Mode.ROCK: "rocks", Mode.SLIDE_ROCK: "slides and 
 
 
 def initial_modes(
-    width_m: WidthM,
+    base_m: BaseM,
     height_m: HeightM,
     static_friction: Annotated[float, typer.Option(help="Static friction of the support.")],
     kinetic_friction: KineticFriction = None,
@@ -34,8 +34,8 @@ def initial_modes(
     mass_kg: Annotated[
         float | None, typer.Option(help="Mass [kg], which a stack of two asks for.")
     ] = None,
-    upper_width_m: Annotated[
-        float | None, typer.Option(help="Width [m] of an object that stands on it.")
+    upper_base_m: Annotated[
+        float | None, typer.Option(help="Base [m] of an object that stands on it.")
     ] = None,
     upper_height_m: Annotated[float | None, typer.Option(help="Its height [m].")] = None,
     upper_mass_kg: Annotated[float | None, typer.Option(help="Its mass [kg].")] = None,
@@ -53,7 +53,7 @@ def initial_modes(
     from shaketable.plot import plot_modes, require_picture, save
 
     upper = {
-        "--upper-width-m": upper_width_m,
+        "--upper-base-m": upper_base_m,
         "--upper-height-m": upper_height_m,
         "--upper-mass-kg": upper_mass_kg,
         "--mass-kg": mass_kg,
@@ -65,7 +65,7 @@ def initial_modes(
     model = General(static_friction=static_friction, kinetic_friction=kinetic_friction)
     kinetic = model.sliding_friction
     body = Body.rectangle(
-        width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
+        base_m, height_m, eccentricity=eccentricity, name=f"{base_m:g} m × {height_m:g} m"
     )
     directions = (1,) if eccentricity == 0.5 else (1, -1)
     ratio = kinetic / static_friction if static_friction else 1.0
@@ -83,11 +83,11 @@ def initial_modes(
         steps = thresholds(static_friction, kinetic, *shape_of(body, direction))
         said = ", ".join(f"{WORDS[mode]} above {limit:.3g} g" for mode, limit in steps)
         say(f"{body.name} with friction {static_friction:g}{toward}: rests, then {said}")
-    if upper_width_m is not None and upper_height_m is not None:
+    if upper_base_m is not None and upper_height_m is not None:
         say(
             stack_sentence(
-                Body.rectangle(width_m, height_m, mass=mass_kg, eccentricity=eccentricity),
-                Body.rectangle(upper_width_m, upper_height_m, mass=upper_mass_kg),
+                Body.rectangle(base_m, height_m, mass=mass_kg, eccentricity=eccentricity),
+                Body.rectangle(upper_base_m, upper_height_m, mass=upper_mass_kg),
             )
         )
     say(f"map: {out}")
@@ -104,6 +104,6 @@ def stack_sentence(lower: Body, upper: Body) -> str:
         for mode, border in stack_borders(lower, upper)
     )
     return (
-        f"with {upper.width:g} m × {upper.whole_height:g} m, {upper.mass:g} kg, on it, without "
+        f"with {upper.base:g} m × {upper.whole_height:g} m, {upper.mass:g} kg, on it, without "
         f"slip: rests, then {said}; how a stack moves on is not simulated"
     )

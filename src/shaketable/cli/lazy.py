@@ -10,6 +10,7 @@ import typer
 from typer.core import TyperGroup
 
 from shaketable.cli.examples import epilog
+from shaketable.errors import InputError
 
 #: Every command, the file of its name in this folder, and what it does, in half a line.
 SUMMARIES = {
@@ -37,12 +38,32 @@ SUMMARIES = {
 }
 
 
+#: Options that a command does not have, and what is asked for there.
+CALLED = {
+    "--width-m": "in a plane the one size along the shaking is --base-m",
+    "--depth-m": "in a plane the one size along the shaking is --base-m",
+    "--upper-width-m": "in a plane the one size along the shaking is --upper-base-m",
+}
+
+
 class LazyGroup(TyperGroup):
     """The group of all commands: those that were added to it, and those of SUMMARIES."""
 
     def __init__(self, **settings: Any) -> None:
         super().__init__(**settings)
         self.commands = _Commands(self.commands)
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run a command; an option that has another name there is named."""
+        try:
+            return super().invoke(ctx)
+        except Exception as error:
+            name = getattr(error, "option_name", None)  # of Typer's own copy of Click's error
+            command = getattr(getattr(error, "ctx", None), "command", None)
+            has = [option for each in getattr(command, "params", ()) for option in each.opts]
+            if name not in CALLED or "--base-m" not in has:
+                raise
+            raise InputError(f"{name}: {CALLED[name]}") from None
 
     def format_commands(self, ctx: Any, formatter: Any) -> None:
         """Write the list of commands without importing them."""

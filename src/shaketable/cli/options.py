@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import math
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from enum import StrEnum
 from typing import Annotated, Any
@@ -59,18 +60,8 @@ TiltDeg = Annotated[
 DownhillShare = Annotated[
     float, typer.Option(help="Share of the falls that the wanted tilt sends downhill.")
 ]
-WidthM = Annotated[float, typer.Option(help="Base width [m].")]
+BaseM = Annotated[float, typer.Option(help="Base, along the shaking [m].")]
 HeightM = Annotated[float, typer.Option(help="Full height [m].")]
-DepthM = Annotated[
-    float | None,
-    typer.Option(help="Base depth across the width [m]: a box in three dimensions. [one plane]"),
-]
-ShapeName = Annotated[
-    ShapeWord | None,
-    typer.Option(
-        "--shape", help="In three dimensions: a box of --depth-m, or a cylinder of --width-m."
-    ),
-]
 AzimuthDeg = Annotated[
     float | None,
     typer.Option(
@@ -85,32 +76,11 @@ OrientationDeg = Annotated[
         "[0]"
     ),
 ]
-RollingFrictionM = Annotated[
-    float | None,
-    typer.Option(
-        help="Length that, times the pressure, bounds the moment against rolling [m], in three "
-        "dimensions. [0]"
-    ),
-]
-ContourFrictionM = Annotated[
-    float | None,
-    typer.Option(
-        help="Length that, times the pressure and the rate of the contact around the rim, is the "
-        "power lost [m]: of a cylinder. [0]"
-    ),
-]
-DrillingFrictionM = Annotated[
-    float | None,
-    typer.Option(
-        help="Length that, times the pressure, bounds the moment against turning on the spot [m], "
-        "in three dimensions. [0]"
-    ),
-]
 Eccentricity = Annotated[
     float,
     typer.Option(
-        help="Distance of the centre of gravity's foot from the left corner, toward -x, "
-        "over the width; 0.5 is symmetric."
+        help="Distance of the centre of gravity's foot from the corner toward -x, the front, over "
+        "the size along x; 0.5 is symmetric."
     ),
 ]
 ModelOfShape = Annotated[
@@ -149,11 +119,11 @@ RestitutionFactor = Annotated[
 ]
 
 
-def warn_of_sizes(width: float, height: float, width_option: str = "--width-m") -> None:
-    """Warn of sizes [m] that no furniture has: they may be in another unit."""
-    from shaketable.inventory.rows import FURNITURE
+def warn_of_sizes(sizes: Mapping[str, float]) -> None:
+    """Warn of sizes [m], by their options, that no furniture has: they may be in another unit."""
+    from shaketable.inventory.plausible import FURNITURE
 
-    for name, size in ((width_option, width), ("--height-m", height)):
+    for name, size in sizes.items():
         if not FURNITURE[0] <= size <= FURNITURE[1]:
             log.warning("%s: %g m is no size of furniture; is it in another unit?", name, size)
 
@@ -250,6 +220,10 @@ def model_from(given: ContactOptions | ContactOfShapeOptions, model: ModelWord) 
     """
     if model is ModelWord.GENERAL:
         friction = given.static_friction
+        if friction is None and given.kinetic_friction is not None:
+            raise InputError(
+                "--kinetic-friction: without --static-friction nothing begins to slide; give both"
+            )
         return General(
             static_friction=math.inf if friction is None else friction,
             kinetic_friction=given.kinetic_friction,

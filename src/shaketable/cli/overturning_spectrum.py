@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated
 
@@ -11,7 +12,6 @@ from shaketable.body import Body
 from shaketable.cli.console import say
 from shaketable.cli.options import (
     ContactOptions,
-    Eccentricity,
     Overwrite,
     ReadingOptions,
 )
@@ -21,23 +21,31 @@ from shaketable.motion import Motion
 from shaketable.report.run_log import RunLog
 from shaketable.units import radians
 
+SLENDERNESS = "10, 15, 20"  # degrees
 LARGEST = 12.0  # ω_p/p, and a_p/(g tan α)
 
 
 def overturning_spectrum(
     *,
     out: Annotated[Path, typer.Option(help="Folder for the tables and the picture.")],
-    width_m: Annotated[
-        float | None, typer.Option(help="Base width [m] of a body under pulses, with --height-m.")
+    base_m: Annotated[
+        float | None, typer.Option(help="Base [m] of a body under pulses, with --height-m.")
     ] = None,
     height_m: Annotated[float | None, typer.Option(help="Its full height [m].")] = None,
-    eccentricity: Eccentricity = 0.5,
+    eccentricity: Annotated[
+        float | None,
+        typer.Option(help="Distance of its centre of gravity from the left corner, over the "
+                     "base. [0.5]",
+                     show_default=False),
+    ] = None,
     pulse: Annotated[
-        str,
+        str | None,
         typer.Option(
-            help="sine, cosine, 'half sine', rectangular, ricker or mavroeidis-papageorgiou."
+            help="sine, cosine, 'half sine', rectangular, ricker or mavroeidis-papageorgiou. "
+            "[sine]",
+            show_default=False,
         ),
-    ] = "sine",
+    ] = None,
     points: Annotated[int, typer.Option(min=2, max=1000, help="Values along each axis.")] = 120,
     record: Annotated[
         Path | None,
@@ -45,8 +53,10 @@ def overturning_spectrum(
                      "Konstantinidis (2003)."),
     ] = None,
     slenderness_deg: Annotated[
-        str, typer.Option(help="α of its blocks [degrees], with commas.")
-    ] = "10, 15, 20",
+        str | None,
+        typer.Option(help="α of its blocks [degrees], with commas. [10, 15, 20]",
+                     show_default=False),
+    ] = None,
     contact_options: ContactOptions,
     reading: ReadingOptions,
     overwrite: Overwrite = False,
@@ -61,16 +71,35 @@ def overturning_spectrum(
     run_log = RunLog()
     require_folder(out, overwrite, run_log)
     contact = contact_options.contact()
+    of_body = {
+        "--base-m": base_m, "--height-m": height_m, "--eccentricity": eccentricity,
+        "--pulse": pulse,
+    }  # fmt: skip
+    of_record = {
+        "--slenderness-deg": slenderness_deg, "--units": reading.units,
+        "--time-step-s": reading.time_step_s,
+    }  # fmt: skip
     if record is not None:
-        if width_m is not None or height_m is not None:
-            raise InputError("--record: is for blocks of all sizes; leave --width-m, --height-m")
+        _require_none(of_body, "for a body under pulses, and --record is for blocks of all sizes")
         motion = read_motion(record, units=reading.units, time_step=reading.time_step_s)
-        _under_record(motion, slenderness_deg, points, contact, run_log, out, overwrite)
+        _under_record(
+            motion, slenderness_deg or SLENDERNESS, points, contact, run_log, out, overwrite
+        )
         return
-    if width_m is None or height_m is None:
-        raise InputError("give --width-m and --height-m of a body, or --record")
-    body = Body.rectangle(width_m, height_m, eccentricity=eccentricity)
-    _under_pulses(body, pulse, points, contact, run_log, out, overwrite)
+    _require_none(of_record, "for a --record")
+    if base_m is None or height_m is None:
+        raise InputError("give --base-m and --height-m of a body, or --record")
+    body = Body.rectangle(
+        base_m, height_m, eccentricity=0.5 if eccentricity is None else eccentricity
+    )
+    _under_pulses(body, pulse or "sine", points, contact, run_log, out, overwrite)
+
+
+def _require_none(options: Mapping[str, object], what_for: str) -> None:
+    """InputError where one of some options is given, which would change nothing."""
+    given = [option for option, value in options.items() if value is not None]
+    if given:
+        raise InputError(f"{', '.join(given)}: {what_for}; leave it out")
 
 
 def _under_pulses(

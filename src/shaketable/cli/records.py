@@ -13,6 +13,7 @@ import typer
 
 from shaketable.cli.console import say
 from shaketable.cli.options import ReadingOptions
+from shaketable.cli.shaking import require_used
 from shaketable.errors import InputError, joined
 from shaketable.motion import Motion
 from shaketable.records import Component
@@ -52,6 +53,7 @@ def records(
     missing = [f"{path}: no such file or folder" for path in paths if not path.exists()]
     if missing:
         raise InputError(joined(missing))
+    require_used([str(path) for path in paths], reading.units, None)
     files = [file for path in paths for file in (record_files(path) if path.is_dir() else [path])]
     left_out: list[str] = []
     found: list[Component] = []

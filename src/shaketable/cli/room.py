@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from shaketable.cli.console import say
+from shaketable.cli.console import say, say_line
 from shaketable.cli.examples import epilog
 from shaketable.cli.option_groups import settings_of, with_groups
 from shaketable.cli.options import ContactOptions, LanguageName, Overwrite, language_of
@@ -18,7 +18,7 @@ from shaketable.cli.room_options import (
     RoomEarthquakeOptions,
     RoomShakingOptions,
 )
-from shaketable.errors import InputError, SimulationError, joined, named
+from shaketable.errors import InputError, SimulationError, joined, named, printable
 from shaketable.extras import require
 from shaketable.language import speaking, tell
 from shaketable.motion import Motion
@@ -63,10 +63,12 @@ def check(
     save(plot_room(described, faults=faults), picture)
     say(f"plan: {picture}")
     if faults:
-        raise InputError(joined([f"{file}, {each.where}: {each.text}" for each in faults]))
+        raise InputError(
+            joined([f"{file}, {printable(each.where)}: {printable(each.text)}" for each in faults])
+        )
     counts = {"thing": described.things, "place": described.places, "door": described.doors}
     told = ", ".join(counted(len(each), name) for name, each in counts.items())
-    say(f"{described.name}: {told}; nothing is wrong with the plan")
+    say_line(f"{described.name}: {told}; nothing is wrong with the plan")
 
 
 @room.command(epilog=epilog("room"))
@@ -151,7 +153,7 @@ def _tell(lines: list[str], out: Path) -> None:
     from shaketable.report.results_folder import PAGE
 
     for line in lines:
-        say(line)
+        say_line(line)
     say(tell("page: {path}", path=out / PAGE))
 
 
@@ -306,7 +308,7 @@ def film(
     falls = [each for each in shaken.things if each.response.outcome is not Outcome.STANDING]
     turned = " reversed," if reverse else ""
     rough = f", friction {friction:g}" if friction is not None and isfinite(friction) else ""
-    say(
+    say_line(
         f"{asked.room.name}: {motion},{turned} its first component {degrees(shaken.along):.0f}° "
         f"from +x toward +y{rough}; {len(falls)} of {len(shaken.things)} things fall"
     )

@@ -12,9 +12,11 @@ import typer
 from shaketable.cli.options import ReadingOptions
 from shaketable.errors import InputError, joined, named
 from shaketable.motion import Motion
-from shaketable.records import DEFAULT_SUITE, read_motion, suite
+from shaketable.records import DEFAULT_SUITE, read_components, read_motion, suite
+from shaketable.records.folders import record_files
 from shaketable.records.pairs import joined_pairs, pairs_among
 from shaketable.records.suites import files_of, info_of
+from shaketable.records.text import NoAccelerationError
 from shaketable.signal import IntensityMeasure
 from shaketable.units import STANDARD_GRAVITY
 
@@ -106,6 +108,7 @@ def motion_of(
     if not Path(record).exists():
         found = next((m for m in suite(EVERY_MOTION) if m.name == record), None)
     if found is None:
+        require_used([record], units, time_step)
         try:
             return read_motion(
                 record, component=component, components=components, vertical=vertical, units=units,
@@ -141,6 +144,35 @@ def _station(motion: Motion) -> tuple[str, str] | None:
     return None if origin is None else (origin.event, origin.station)
 
 
+def require_used(names: list[str], units: str | None, time_step: float | None) -> None:
+    """InputError where --units or --time-step-s changes nothing: the files say it themselves.
+
+    Args:
+        names: suites, files and folders; of a folder one file that needs them is enough.
+        units, time_step: that are given.
+    """
+    files = [path for name in names if not info_of(name) for path in _files(Path(name))]
+    if time_step is not None and not files:
+        raise InputError("--time-step-s: for record files; the package's suites state theirs")
+    if units is None or any(_states_no_unit(path, time_step) for path in files):
+        return
+    which = "each file states its own" if files else "the package's suites state theirs"
+    raise InputError(f"--units: {which}, and nothing else would be used; leave it out")
+
+
+def _files(path: Path) -> list[Path]:
+    return record_files(path) if path.is_dir() else [path]
+
+
+def _states_no_unit(path: Path, time_step: float | None) -> bool:
+    """Whether a file needs to be told its unit, or cannot be read, of which another error tells."""
+    try:
+        read_components(path, time_step=time_step)
+    except InputError as error:
+        return not isinstance(error, NoAccelerationError)
+    return False
+
+
 def load_motions(
     chosen: list[str],
     vertical: bool,
@@ -159,6 +191,10 @@ def load_motions(
         for name in dict.fromkeys(chosen)
         if chosen.count(name) > 1
     ]
+    try:
+        require_used(chosen, **reading.as_read)
+    except InputError as error:
+        faults.append(str(error))
     for name in chosen:
         try:
             found = suite(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
 from pathlib import Path
 from typing import Annotated
 
@@ -11,38 +10,29 @@ import typer
 
 from shaketable.body import Body
 from shaketable.cli.console import say
+from shaketable.cli.object_options import ObjectOptions, require_plane
 from shaketable.cli.options import (
     AzimuthDeg,
     ContactOfShapeOptions,
-    ContourFrictionM,
-    DepthM,
-    DrillingFrictionM,
-    Eccentricity,
-    HeightM,
     OrientationDeg,
     ReadingOptions,
-    RollingFrictionM,
     Scale,
-    ShapeName,
     TiltDeg,
-    WidthM,
-    warn_of_sizes,
 )
 from shaketable.cli.response_summary import sentence_of, summary_of
 from shaketable.cli.shaking import DEFAULT_MOTION, motion_of
-from shaketable.cli.solids import Losses, require_plane, solid_from
 from shaketable.cli.surroundings import SurroundingOptions
 from shaketable.errors import InputError
 from shaketable.response import Response
 from shaketable.simulate import simulate as simulate_one
+from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.units import radians
 
 
 def simulate(
     *,
-    width_m: WidthM,
-    height_m: HeightM,
+    thing: ObjectOptions,
     record: Annotated[
         str,
         typer.Option(
@@ -68,15 +58,9 @@ def simulate(
         ),
     ] = None,
     scale: Scale = 1.0,
-    depth_m: DepthM = None,
-    shape: ShapeName = None,
     orientation_deg: OrientationDeg = None,
-    rolling_friction_m: RollingFrictionM = None,
-    contour_friction_m: ContourFrictionM = None,
-    drilling_friction_m: DrillingFrictionM = None,
     tilt_deg: TiltDeg = 0.0,
     azimuth_deg: AzimuthDeg = None,
-    eccentricity: Eccentricity = 0.5,
     contact_options: ContactOfShapeOptions,
     surrounding: SurroundingOptions,
     reading: ReadingOptions,
@@ -92,35 +76,30 @@ def simulate(
     """Simulate one object under one motion: a rectangle in a plane, a box or a cylinder."""
     from shaketable import plot as pictures
 
-    losses = Losses(rolling_friction_m, contour_friction_m, drilling_friction_m)
-    solid = solid_from(width_m, depth_m, height_m, shape, eccentricity, losses)
-    if solid is not None and surrounding.mass_kg is not None:
-        solid = replace(solid, mass=surrounding.mass_kg)
+    body = thing.object(surrounding.mass_kg)
+    in_space = isinstance(body, Solid)
     if plot is not None:
         pictures.require_picture(plot)
     if animate is not None:
-        (pictures.require_film if solid is None else pictures.require_film_or_scene)(animate)
+        (pictures.require_film_or_scene if in_space else pictures.require_film)(animate)
     for picture in (plot, animate):
         if picture is not None and picture.resolve() == Path(record).resolve():
             raise InputError(f"{picture}: is the record; give the picture another name")
-    if solid is None:
+    if not in_space:
         require_plane({"--azimuth-deg": azimuth_deg, "--orientation-deg": orientation_deg})
-    contact = contact_options.contact(solid is not None)
-    warn_of_sizes(width_m, height_m)
+    if azimuth_deg is not None and tilt_deg == 0.0:
+        raise InputError("--azimuth-deg: of a tilted support; give --tilt-deg, or leave it out")
+    contact = contact_options.contact(in_space)
     motion = motion_of(
         record,
         component=component,
-        components=(1 if solid is None else 2) if components is None else components,
+        components=(2 if in_space else 1) if components is None else components,
         vertical=vertical,
         units=reading.units,
         time_step=reading.time_step_s,
     ).scaled(scale)
     response: Response
-    name = f"{width_m:g} m × {height_m:g} m" if solid is None else solid.name
-    if solid is None:
-        body = Body.rectangle(
-            width_m, height_m, eccentricity=eccentricity, name=name, mass=surrounding.mass_kg
-        )
+    if isinstance(body, Body):
         response = simulate_one(
             body,
             motion,
@@ -134,12 +113,12 @@ def simulate(
         )
         turned = radians(orientation_deg or 0.0)
         response = simulate_one(
-            solid,
+            body,
             motion,
             support,
             model=contact,
             orientation=turned,
-            surroundings=surrounding.around(solid, turned),
+            surroundings=surrounding.around(body, turned),
         )
     if plot is not None:
         pictures.save(response.plot()[0], plot)
@@ -148,4 +127,4 @@ def simulate(
     if as_json:
         say(json.dumps(summary_of(response)))
     else:
-        say(f"{name} under {motion.name}: {sentence_of(response)}")
+        say(f"{body.name} under {motion.name}: {sentence_of(response)}")

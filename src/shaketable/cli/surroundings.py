@@ -10,7 +10,7 @@ import typer
 from shaketable.body import Body
 from shaketable.errors import InputError
 from shaketable.solid import Solid
-from shaketable.spelled_surroundings import EXAMPLE, metres, surroundings_of
+from shaketable.spelled_surroundings import EXAMPLE, metres, read_strap, surroundings_of
 from shaketable.surroundings import Surroundings
 
 
@@ -24,8 +24,8 @@ class SurroundingOptions:
     wall_gap_mm: Annotated[
         float | None,
         typer.Option(
-            help="Distance [mm] from the side toward +x to a wall. It is vertical; with the "
-            "rocking model it is normal to the support, and the distance 0."
+            help="Distance [mm] from the back, the side toward +x, to a wall. It is vertical; with "
+            "the rocking model it is normal to the support, and the distance 0."
         ),
     ] = None
     wall_friction: Annotated[
@@ -43,7 +43,7 @@ class SurroundingOptions:
     strap: Annotated[
         list[str] | None,
         typer.Option(
-            help=f"A strap, such as {EXAMPLE}: from the middle of the side "
+            help=f"A strap, such as {EXAMPLE}: from the middle of the back, "
             "toward +x, at the top or at a height such as 1.5m; of damping (Ns/m), pretension and "
             "strength (N, kN) what is given. It ends on the wall straight behind that point, "
             "50 mm behind it where there is no gap, or at anchor=X/Y/Z, such as 0.3m/0m/1.9m, in a "
@@ -54,8 +54,8 @@ class SurroundingOptions:
     edge_mm: Annotated[
         float | None,
         typer.Option(
-            help="Distance [mm] from the side toward -x to where the support ends, as at the front "
-            "of a shelf; in a plane with the general model."
+            help="Distance [mm] from the front, the side toward -x, to where the support ends; "
+            "in a plane with the general model."
         ),
     ] = None
     lip_mm: Annotated[
@@ -85,11 +85,13 @@ class SurroundingOptions:
         if (self.strap or self.pad_n is not None) and body.mass is None:
             named = "--strap" if self.strap else "--pad-n"
             raise InputError(f"{named}: newtons need a mass; give --mass-kg")
+        if self.mass_kg is not None and not self.strap and self.pad_n is None:
+            raise InputError("--mass-kg: only a --strap or --pad-n needs it; leave it out")
         try:
             return surroundings_of(
                 body,
                 orientation,
-                straps=self.strap or (),
+                straps=[read_strap(text) for text in self.strap or ()],
                 wall_gap=metres(self.wall_gap_mm),
                 wall_friction=self.wall_friction,
                 wall_restitution=self.wall_restitution,

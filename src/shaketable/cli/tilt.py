@@ -11,23 +11,13 @@ from typing import Annotated
 
 import typer
 
-from shaketable.body import Body
 from shaketable.cli.console import say
+from shaketable.cli.object_options import ObjectOptions, require_plane
 from shaketable.cli.options import (
     ContactOfShapeOptions,
-    ContourFrictionM,
-    DepthM,
-    DrillingFrictionM,
-    Eccentricity,
-    HeightM,
-    RollingFrictionM,
     Scale,
-    ShapeName,
-    WidthM,
-    warn_of_sizes,
 )
 from shaketable.cli.shaking import MotionOptions
-from shaketable.cli.solids import Losses, require_plane, solid_from
 from shaketable.errors import InputError, require_positive
 from shaketable.motion import Motion
 from shaketable.records import DEFAULT_SUITE
@@ -41,8 +31,7 @@ log = logging.getLogger(__name__)
 
 def tilt(
     *,
-    width_m: WidthM,
-    height_m: HeightM,
+    thing: ObjectOptions,
     downhill_share: Annotated[
         float | None,
         typer.Option(
@@ -56,19 +45,13 @@ def tilt(
     shelf_depth_m: Annotated[
         float | None, typer.Option(help="Depth of the shelf [m], for the height of its wedge.")
     ] = None,
-    depth_m: DepthM = None,
-    shape: ShapeName = None,
     azimuth_deg: Annotated[
         float | None,
         typer.Option(
             help="Which way the support is tilted, seen from the object: downhill from its +x "
-            "toward its +y [degrees], in three dimensions. [180: along the width]"
+            "toward its +y [degrees], in three dimensions. [180: to its front]"
         ),
     ] = None,
-    eccentricity: Eccentricity = 0.5,
-    rolling_friction_m: RollingFrictionM = None,
-    contour_friction_m: ContourFrictionM = None,
-    drilling_friction_m: DrillingFrictionM = None,
     motion_options: MotionOptions,
     building: Annotated[
         Path | None,
@@ -89,9 +72,10 @@ def tilt(
 
     A tilted object falls more often; that is told as well.
 
-    By the curves GCOR and SCOR of Boroschek and Iruretagoyena (2006) and by simulation. The width
-    is measured along the tilt: from the front of a shelf to its back. With --depth-m or --shape
-    cylinder the object is simulated in three dimensions, under both horizontal components at once.
+    By the curves GCOR and SCOR of Boroschek and Iruretagoyena (2006) and by simulation. The base
+    is measured along the tilt: from the front of a shelf to its back. With --depth-m and --width-m,
+    or --shape cylinder, the object is simulated in three dimensions, under both horizontal
+    components at once.
     """
     from shaketable import plot as pictures
     from shaketable.report import tilting as words
@@ -108,25 +92,21 @@ def tilt(
         pictures.require_picture(plot)
     if building is not None and plot is not None:
         raise InputError("--plot: draws one support; leave --building out")
-    lengths = {"base": width_m}
-    losses = Losses(rolling_friction_m, contour_friction_m, drilling_friction_m)
-    solid = solid_from(width_m, depth_m, height_m, shape, eccentricity, losses)
-    if solid is None:
+    body = thing.object()
+    in_space = isinstance(body, Solid)
+    if not in_space:
         require_plane({"--azimuth-deg": azimuth_deg})
     elif building is not None:
-        raise InputError("--building: its floors have one component; leave --depth-m, --shape out")
+        raise InputError("--building: its floors have one component; give --base-m alone")
+    lengths = {"base": 0.0}  # of its section, once it is known
     if shelf_depth_m is not None:
         require_positive("--shelf-depth-m", shelf_depth_m)
         lengths["shelf"] = shelf_depth_m
-    contact = contact_options.contact(solid is not None)
-    body: Body | Solid = solid or Body.rectangle(
-        width_m, height_m, eccentricity=eccentricity, name=f"{width_m:g} m × {height_m:g} m"
-    )
+    contact = contact_options.contact(in_space)
     azimuth = radians(180.0 if azimuth_deg is None else azimuth_deg)
-    warn_of_sizes(width_m, height_m)
-    floors, description = _floors(building, motion_options, bool(solid))
+    floors, description = _floors(building, motion_options, in_space)
     section = stand_of(body, next(iter(floors.values())), azimuth, scale, contact).body
-    lengths["base"] = section.width
+    lengths["base"] = section.base
     found = []
     designs: dict[str, TiltDesign | None] = {}
     at_given: dict[str, TiltEffect | None] = {}
@@ -143,7 +123,7 @@ def tilt(
             )  # fmt: skip
         level = design.level if design else shaken(0.0)
         designs[floor], at_given[floor] = design, asked
-        warnings = words.warnings_of(section, design, solid is None)
+        warnings = words.warnings_of(section, design, not in_space)
         for warning in warnings:
             log.warning("%s", warning)  # the same on every floor, and told once
         if design is not None and plot is not None:
@@ -163,18 +143,14 @@ def tilt(
         say("\n" + "\n".join(words.building_lines(designs, at_given)))
     if as_json:
         settings = {
-            "width_m": width_m,
-            "height_m": height_m,
-            "depth_m": depth_m,
-            "shape": shape and shape.value,
+            **thing.settings,
             "azimuth_deg": azimuth_deg,
-            "eccentricity": eccentricity,
             "motions": description,
             "building": building and str(building),
             "vertical": motion_options.vertical,
             "scale": scale,
             **asdict(contact_options),
-            "model": contact_options.word(solid is not None).value,
+            "model": contact_options.word(in_space).value,
             "seed": seed,
         }
         if building is None:

@@ -1,4 +1,4 @@
-"""Machine code of a GPU's kernels on disk: those of solids compile for minutes.
+"""Machine code of a GPU's kernels on disk: those of the general model compile for minutes.
 
 It is of one kind of device, toolkit and version of Numba's CUDA; another one compiles anew, beside
 it. This builds on parts of Numba's CUDA that it does not promise to keep: where the import of this

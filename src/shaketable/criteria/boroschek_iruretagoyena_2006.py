@@ -82,41 +82,41 @@ def gcor(tilt: ArrayLike) -> NDArray[np.float64]:
     return controlled_rate(tilt, C1)
 
 
-def size_measures(width: float, height: float) -> NDArray[np.float64]:
+def size_measures(base: float, height: float) -> NDArray[np.float64]:
     """b/h, r [m] and 1 of a rectangle of full sizes [m], by which the terms of c1 are multiplied.
 
     Raises:
         InputError: a size that is not positive and finite.
     """
-    require_positive("width [m]", width)
+    require_positive("base [m]", base)
     require_positive("height [m]", height)
-    return np.array([width / height, math.hypot(width, height) / 2, 1.0])
+    return np.array([base / height, math.hypot(base, height) / 2, 1.0])
 
 
-def scor_c1(width: float, height: float) -> float:
+def scor_c1(base: float, height: float) -> float:
     """c1 [rad] of the specific rate (eq. 13) of a rectangle of full sizes [m].
 
     It falls to zero and below as bodies grow; there is no rate for those.
     """
-    return float(size_measures(width, height) @ np.array(SCOR))
+    return float(size_measures(base, height) @ np.array(SCOR))
 
 
-def scor(tilt: ArrayLike, width: float, height: float) -> NDArray[np.float64]:
+def scor(tilt: ArrayLike, base: float, height: float) -> NDArray[np.float64]:
     """The specific controlled overturning rate (eq. 13); NaN where c1 is not positive.
 
     Args:
         tilt: β [rad], any shape.
-        width, height: full sizes [m].
+        base, height: full sizes [m].
     """
-    return controlled_rate(tilt, scor_c1(width, height))
+    return controlled_rate(tilt, scor_c1(base, height))
 
 
-def outside_of_scor(width: float, height: float) -> list[str]:
+def outside_of_scor(base: float, height: float) -> list[str]:
     """Which measures of a rectangle of full sizes [m] lie outside those that SCOR was fitted to."""
     return [
         f"{name} = {size:.3g} is outside {low:.2f} to {high:.2f}"
         for size, (name, (low, high)) in zip(
-            size_measures(width, height), FITTED.items(), strict=False
+            size_measures(base, height), FITTED.items(), strict=False
         )
         if not low - 0.005 <= size <= high + 0.005  # the limits are rounded
     ]

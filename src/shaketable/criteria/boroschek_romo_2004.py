@@ -2,10 +2,10 @@
 
 Boroschek R., Romo D. (2004) Overturning criteria for non-anchored non-symmetric rigid bodies, 13th
 WCEE, paper 295. ν is the distance of the centre of gravity's foot from the nearer corner over the
-width, at most 0.5.
+base, at most 0.5.
 
 - ν known: Ishiyama's conditions with B' = 2 ν B in place of B and the body's own inertia.
-- ν unknown, but at least 0.3: Ishiyama's velocity with the whole width and a factor of 0.2 instead
+- ν unknown, but at least 0.3: Ishiyama's velocity with the whole base and a factor of 0.2 instead
   of 0.4 (the text says "eccentricity of less than 0.3 B", and means no nearer to a corner).
 
 With γ = h/(ν_S B), κ = i²/(ν_S B)² and A = |a_x|/(g + a_y), for rocking about the corner at ν_S B::
@@ -46,7 +46,7 @@ def nearer_arm(body: Body) -> float:
 
 
 def may_overturn_known(
-    width: ArrayLike,
+    base: ArrayLike,
     eccentricity: ArrayLike,
     cg_height: ArrayLike,
     gyration_radius: ArrayLike,
@@ -56,28 +56,28 @@ def may_overturn_known(
     """Ishiyama's conditions with B' = 2 ν B.
 
     Args:
-        width: B [m]; all shapes broadcast together.
+        base: B [m]; all shapes broadcast together.
         eccentricity: ν or 1 - ν [-].
         cg_height, gyration_radius: [m].
         pga: [m/s²].
         pgv: [m/s].
     """
     nu = np.asarray(eccentricity, np.float64)
-    arm = np.minimum(nu, 1.0 - nu) * np.asarray(width, np.float64)
+    arm = np.minimum(nu, 1.0 - nu) * np.asarray(base, np.float64)
     return ishiyama_1982.may_overturn(arm, cg_height, gyration_radius, pga, pgv)
 
 
 def may_overturn_unknown(
-    width: ArrayLike, cg_height: ArrayLike, gyration_radius: ArrayLike, pgv: ArrayLike
+    base: ArrayLike, cg_height: ArrayLike, gyration_radius: ArrayLike, pgv: ArrayLike
 ) -> NDArray[np.bool_]:
     """PGV >= 0.2 times Housner's velocity of the symmetric body.
 
     Args:
-        width, cg_height, gyration_radius: [m]; all shapes broadcast together.
+        base, cg_height, gyration_radius: [m]; all shapes broadcast together.
         pgv: [m/s].
     """
     limit = ishiyama_1982.overturning_velocity(
-        np.asarray(width, np.float64) / 2, cg_height, gyration_radius, UNKNOWN_FACTOR
+        np.asarray(base, np.float64) / 2, cg_height, gyration_radius, UNKNOWN_FACTOR
     )
     return np.asarray(pgv) >= limit
 
@@ -126,7 +126,7 @@ def known_verdict(body: Body, pga: float, pgv: float) -> Verdict:
         pgv,
         REFERENCE,
         KNOWN_RANGE,
-        "; ".join(outside("ν", nearer_arm(body) / body.width, STUDIED)),
+        "; ".join(outside("ν", nearer_arm(body) / body.base, STUDIED)),
     )
 
 
@@ -134,7 +134,7 @@ def unknown_verdict(body: Body, pga: float, pgv: float) -> Verdict:
     """The rule for an unknown eccentricity; pga is not used, pgv [m/s]."""
     limit = float(
         ishiyama_1982.overturning_velocity(
-            body.width / 2, body.cg_height, body.gyration_radius, UNKNOWN_FACTOR
+            body.base / 2, body.cg_height, body.gyration_radius, UNKNOWN_FACTOR
         )
     )
     says = "may overturn" if pgv >= limit else "stands"
@@ -145,5 +145,5 @@ def unknown_verdict(body: Body, pga: float, pgv: float) -> Verdict:
         f"{says}: PGV {pgv / CM:.3g} of {limit / CM:.3g} cm/s",
         REFERENCE,
         UNKNOWN_RANGE,
-        "; ".join(outside("ν", nearer_arm(body) / body.width, (LEAST_ECCENTRICITY, 0.5))),
+        "; ".join(outside("ν", nearer_arm(body) / body.base, (LEAST_ECCENTRICITY, 0.5))),
     )

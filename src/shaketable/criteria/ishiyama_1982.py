@@ -66,14 +66,14 @@ def may_overturn(
 
 
 def verdict(body: Body, pga: float, pgv: float) -> Verdict:
-    """The verdict for the whole width, as if the centre of gravity were in the middle.
+    """The verdict for the whole base, as if the centre of gravity were in the middle.
 
     Args:
         body: its eccentricity is not used.
         pga: [m/s²].
         pgv: [m/s].
     """
-    shape = (body.width / 2, body.cg_height)
+    shape = (body.base / 2, body.cg_height)
     return both_conditions(
         "Ishiyama",
         float(overturning_acceleration(*shape)),

@@ -50,34 +50,34 @@ def risk_class(ratio: float) -> str:
     return next(name for name, limit in RISK_CLASSES.items() if ratio < limit)
 
 
-def median_acceleration(width: ArrayLike, height: ArrayLike) -> NDArray[np.float64]:
+def median_acceleration(base: ArrayLike, height: ArrayLike) -> NDArray[np.float64]:
     """A50 [m/s²], the exponential of λ_A (eq. 6); full sizes [m], all shapes broadcast."""
-    ratio = np.asarray(width, np.float64) / np.asarray(height, np.float64)
+    ratio = np.asarray(base, np.float64) / np.asarray(height, np.float64)
     return np.asarray(STANDARD_GRAVITY * ratio * (1.0 + ratio))
 
 
-def median_velocity(width: ArrayLike, height: ArrayLike) -> NDArray[np.float64]:
+def median_velocity(base: ArrayLike, height: ArrayLike) -> NDArray[np.float64]:
     """V50 [m/s], the exponential of λ_V (eq. 6); full sizes [m], all shapes broadcast."""
-    b, h = np.asarray(width, np.float64) / CM, np.asarray(height, np.float64) / CM
+    b, h = np.asarray(base, np.float64) / CM, np.asarray(height, np.float64) / CM
     return np.asarray(CM * 10.0 * b / np.sqrt(h) * (1.0 + b / h) ** 2.5)
 
 
 def demands(
-    width: ArrayLike, height: ArrayLike, pfa: ArrayLike, pfv: ArrayLike
+    base: ArrayLike, height: ArrayLike, pfa: ArrayLike, pfv: ArrayLike
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """ln(PFA/A50) and ln(PFV/V50); the smaller one decides.
 
     Args:
-        width, height: full sizes [m]; all shapes broadcast together.
+        base, height: full sizes [m]; all shapes broadcast together.
         pfa: peak floor acceleration [m/s²].
         pfv: peak floor velocity [m/s].
 
     Raises:
         InputError: sizes that are not positive, peaks that are negative or missing (NaN).
     """
-    sizes = np.broadcast_arrays(np.asarray(width, np.float64), np.asarray(height, np.float64))
+    sizes = np.broadcast_arrays(np.asarray(base, np.float64), np.asarray(height, np.float64))
     if not all((np.isfinite(size) & (size > 0.0)).all() for size in sizes):
-        raise InputError("Kaneko & Hayashi need a positive width and height [m]")
+        raise InputError("Kaneko & Hayashi need a positive base and height [m]")
     for name, unit, value in (("pfa", "m/s²", pfa), ("pfv", "m/s", pfv)):
         if not (np.asarray(value, np.float64) >= 0.0).all():
             raise InputError(
@@ -86,13 +86,13 @@ def demands(
             )
     with np.errstate(divide="ignore"):
         return (
-            np.asarray(np.log(np.asarray(pfa, np.float64) / median_acceleration(width, height))),
-            np.asarray(np.log(np.asarray(pfv, np.float64) / median_velocity(width, height))),
+            np.asarray(np.log(np.asarray(pfa, np.float64) / median_acceleration(base, height))),
+            np.asarray(np.log(np.asarray(pfv, np.float64) / median_velocity(base, height))),
         )
 
 
 def overturning_ratio(
-    width: ArrayLike,
+    base: ArrayLike,
     height: ArrayLike,
     pfa: ArrayLike,
     pfv: ArrayLike,
@@ -117,14 +117,14 @@ def overturning_ratio(
             f"zeta_a and zeta_v must be positive and slide in [0, 1], got {zeta_a!r}, {zeta_v!r}, "
             f"{slide!r}"
         )
-    by_acceleration, by_velocity = demands(width, height, pfa, pfv)
+    by_acceleration, by_velocity = demands(base, height, pfa, pfv)
     slow = by_acceleration <= by_velocity
     return np.asarray(slide * ndtr(np.where(slow, by_acceleration / zeta_a, by_velocity / zeta_v)))
 
 
-def body_frequency(width: ArrayLike, height: ArrayLike) -> NDArray[np.float64]:
+def body_frequency(base: ArrayLike, height: ArrayLike) -> NDArray[np.float64]:
     """F_b [Hz] with the printed 15.6 (eq. 7); full sizes [m]."""
-    b, h = np.asarray(width, np.float64) / CM, np.asarray(height, np.float64) / CM
+    b, h = np.asarray(base, np.float64) / CM, np.asarray(height, np.float64) / CM
     return np.asarray(15.6 / np.sqrt(h) * (1.0 + b / h) ** -1.5)
 
 

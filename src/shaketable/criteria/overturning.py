@@ -14,7 +14,7 @@ KNOWN, UNKNOWN, RULE = "known eccentricity", "unknown eccentricity", "shaketable
 
 
 def scores(
-    width: ArrayLike,
+    base: ArrayLike,
     eccentricity: ArrayLike,
     cg_height: ArrayLike,
     gyration_radius: ArrayLike,
@@ -28,13 +28,13 @@ def scores(
     shaketable_2026.SAFE.
 
     Args:
-        width: B [m]; all shapes broadcast together.
+        base: B [m]; all shapes broadcast together.
         eccentricity: ν or 1 - ν [-].
         cg_height, gyration_radius: [m].
         pga: [m/s²].
         pgv: [m/s].
     """
-    b, nu = np.asarray(width, np.float64), np.asarray(eccentricity, np.float64)
+    b, nu = np.asarray(base, np.float64), np.asarray(eccentricity, np.float64)
     h, i = np.asarray(cg_height, np.float64), np.asarray(gyration_radius, np.float64)
     a, v = np.asarray(pga, np.float64), np.asarray(pgv, np.float64)
     nearer = np.minimum(nu, 1.0 - nu) * b

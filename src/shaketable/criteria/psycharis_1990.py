@@ -132,11 +132,11 @@ def _stack_of(lower: Body, upper: Body) -> _Stack:
     for name, body in (("lower", lower), ("upper", upper)):
         if body.mass is None:
             raise InputError(f"the {name} body of a stack needs a mass; give Body(mass=...) [kg]")
-        if not math.isclose(body.left, body.width / 2, rel_tol=1e-9):
+        if not math.isclose(body.left, body.base / 2, rel_tol=1e-9):
             raise InputError(f"the {name} body of a stack must be symmetric, got {body!r}")
     m1, m2 = float(lower.mass or 0.0), float(upper.mass or 0.0)
-    b1, h1, h2 = lower.width / 2, lower.cg_height, upper.cg_height
-    b2 = min(upper.width / 2, b1)  # what overhangs turns about the edge of the lower
+    b1, h1, h2 = lower.base / 2, lower.cg_height, upper.cg_height
+    b2 = min(upper.base / 2, b1)  # what overhangs turns about the edge of the lower
     y2 = lower.whole_height + h2
     i2, j2 = lower.gyration_radius**2, upper.gyration_radius**2
     inertia = m1 * (i2 + b1**2 + h1**2) + m2 * (j2 + b1**2 + y2**2)

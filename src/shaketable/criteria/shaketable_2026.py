@@ -61,7 +61,7 @@ class Measures(NamedTuple):
 
 
 def measures(
-    width: ArrayLike,
+    base: ArrayLike,
     eccentricity: ArrayLike,
     cg_height: ArrayLike,
     gyration_radius: ArrayLike,
@@ -71,7 +71,7 @@ def measures(
     """V, A and ν about the nearer corner.
 
     Args:
-        width: B [m]; all shapes broadcast together.
+        base: B [m]; all shapes broadcast together.
         eccentricity: ν or 1 - ν [-].
         cg_height, gyration_radius: [m].
         pga: [m/s²].
@@ -80,7 +80,7 @@ def measures(
     nu = np.asarray(eccentricity, np.float64)
     nu = np.minimum(nu, 1.0 - nu)
     h, i = np.asarray(cg_height, np.float64), np.asarray(gyration_radius, np.float64)
-    arm = nu * np.asarray(width, np.float64)
+    arm = nu * np.asarray(base, np.float64)
     r = np.hypot(arm, h)
     p = np.sqrt(STANDARD_GRAVITY * r / (i * i + r * r))
     lifts = STANDARD_GRAVITY * arm / h
@@ -103,7 +103,7 @@ def verdict(body: Body, pga: float, pgv: float) -> Verdict:
     """The body is safe where the chance is below SAFE. The margin is that of the velocity at this
     PGA, or that of the acceleration where it lifts no corner."""
     found = measures(
-        body.width, body.left / body.width, body.cg_height, body.gyration_radius, pga, pgv
+        body.base, body.left / body.base, body.cg_height, body.gyration_radius, pga, pgv
     )
     chance = float(overturning_chance(found))
     limit = velocity_limit(body, pga)
@@ -118,7 +118,7 @@ def verdict(body: Body, pga: float, pgv: float) -> Verdict:
         )
     sizes = {
         "CG height [m]": body.cg_height,
-        "B/2h": body.width / (2 * body.cg_height),
+        "B/2h": body.base / (2 * body.cg_height),
         "ν": float(found.eccentricity),
     }
     beyond = [
@@ -137,9 +137,7 @@ def verdict(body: Body, pga: float, pgv: float) -> Verdict:
 
 def velocity_limit(body: Body, pga: float, chance: float = SAFE) -> float:
     """The PGV [m/s] that gives `chance` at a PGA [m/s²]; infinite if none does."""
-    one = measures(
-        body.width, body.left / body.width, body.cg_height, body.gyration_radius, pga, 1.0
-    )
+    one = measures(body.base, body.left / body.base, body.cg_height, body.gyration_radius, pga, 1.0)
     if not float(one.acceleration) > 1.0:
         return math.inf
     _, lifted, nu = one.terms()

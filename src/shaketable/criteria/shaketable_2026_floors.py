@@ -23,28 +23,28 @@ FITTED_TO = {"height [m]": (0.5, 3.0), "B/H": (0.10, 0.45)}
 
 
 def overturning_ratio(
-    width: ArrayLike, height: ArrayLike, pfa: ArrayLike, pfv: ArrayLike
+    base: ArrayLike, height: ArrayLike, pfa: ArrayLike, pfv: ArrayLike
 ) -> NDArray[np.float64]:
     """P in [0, 1].
 
     Args:
-        width, height: full sizes [m]; all shapes broadcast together.
+        base, height: full sizes [m]; all shapes broadcast together.
         pfa: peak floor acceleration [m/s²].
         pfv: peak floor velocity [m/s].
 
     Raises:
         InputError: sizes that are not positive, peaks that are negative or missing (NaN).
     """
-    smaller = np.minimum(*demands(width, height, pfa, pfv))
-    ratio = np.asarray(width, np.float64) / np.asarray(height, np.float64)
+    smaller = np.minimum(*demands(base, height, pfa, pfv))
+    ratio = np.asarray(base, np.float64) / np.asarray(height, np.float64)
     with np.errstate(over="ignore"):
         chance = 1.0 / (1.0 + np.exp(-(CONSTANT + SLOPE * smaller)))
     return np.where(np.asarray(pfa) > STANDARD_GRAVITY * ratio, chance, 0.0)
 
 
-def out_of_range(width: float, height: float) -> list[str]:
+def out_of_range(base: float, height: float) -> list[str]:
     """Which measures of a rectangle of full sizes [m] lie outside those that P was fitted to."""
-    sizes = {"height [m]": height, "B/H": width / height}
+    sizes = {"height [m]": height, "B/H": base / height}
     return [
         reason
         for name, limits in FITTED_TO.items()

@@ -24,6 +24,7 @@ KINDS = {
     "rocks on a side": (("SIDE", False), BANDS["ROCK"][1], HATCHES["ROCK"]),
     "rolls on a point": (("POINT", False), "#9ecae1", "\\\\\\"),
     "presses a wall": (("WALL", True), "#c8bfa9", "..."),
+    "on the edge": (("EDGE", True), "#d9b38c", "++"),
     "in flight": (("NOTHING", True), BANDS["FLIGHT"][1], HATCHES["FLIGHT"]),
     "slips on a side or point": (("", True), BANDS["SLIDE_ROCK"][1], HATCHES["SLIDE_ROCK"]),
 }

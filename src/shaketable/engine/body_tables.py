@@ -140,7 +140,7 @@ def write_blocks(
     for n in range(sizes.shape[0]):
         numbers = sizes[n]
         size = Size(
-            numbers[SIZE.width],
+            numbers[SIZE.base],
             numbers[SIZE.cg_height],
             numbers[SIZE.left],
             numbers[SIZE.gyration_radius],
@@ -197,7 +197,7 @@ def tabulate_bodies(
     table = np.empty((sizes.shape[0], length(ContactBody)))
     body, size = struct_view(table, ContactBody), struct_view(np.ascontiguousarray(sizes), Size)
     body["h"], body["left"] = size["cg_height"], size["left"]
-    body["right"] = size["width"] - size["left"]
+    body["right"] = size["base"] - size["left"]
     body["i2"] = size["gyration_radius"] ** 2
     body["tilt_sine"], body["tilt_cosine"] = np.sin(tilts), np.cos(tilts)
     body["a_stick"], body["b_stick"] = cone_shares(friction[0])

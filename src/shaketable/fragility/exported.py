@@ -156,7 +156,7 @@ def export_of(fragility: Fitted) -> Export:
         body = curves[0].body
         assert isinstance(body, Body)
         about[name] = (
-            f"Base {body.width:.4g} m in the plane of the shaking, centre of gravity at "
+            f"Base {body.base:.4g} m in the plane of the shaking, centre of gravity at "
             f"{body.cg_height:.4g} m. The demand is {demand_of(fragility)}."
         )
         found[name] = [

@@ -89,16 +89,16 @@ class UncertainBody:
     """A rectangle with uncertain sizes, eccentricity or restitution.
 
     Attributes:
-        width, height: full sizes [m].
+        base, height: full sizes [m].
         cg_height: of the centre of gravity [m]; half the height by default. The radius of
             gyration stays that of the homogeneous rectangle.
-        eccentricity: of its foot from the left corner, over the width.
+        eccentricity: of its foot from the left corner, over the base.
         restitution_factor: as for `Body`; the model's by default.
         static_friction: of the general model; that of the model by default.
         name: what to call it.
     """
 
-    width: Quantity
+    base: Quantity
     height: Quantity
     cg_height: Quantity | None = None
     eccentricity: Quantity = 0.5
@@ -138,7 +138,7 @@ class UncertainBody:
     def _body(self, row: dict[str, Any]) -> tuple[Body, float | None]:
         try:
             body = Body.rectangle(
-                row["width"],
+                row["base"],
                 row["height"],
                 eccentricity=row["eccentricity"],
                 restitution_factor=row["restitution_factor"],

@@ -74,7 +74,7 @@ def _about(one: ObjectRate, rates: ObjectRates) -> str:
     assert isinstance(body, Body)
     where = place_of(one)
     return (
-        f"{where + ': ' if where else ''}falls {one.direction}; base {body.width:.4g} m in that "
+        f"{where + ': ' if where else ''}falls {one.direction}; base {body.base:.4g} m in that "
         f"plane, centre of gravity at {body.cg_height:.4g} m. The demand is "
         f"{rates.hazard.measure.name} of the ground, {_components(rates)}."
     )

@@ -135,11 +135,17 @@ def read_shakemap(
             continue
         factor = factor_of(path, field, unit, measure_named(name))
         values = table.values[order, column] * factor
-        if not (np.isfinite(values) & (values > 0.0)).all():
+        if not (np.isfinite(values) & (values >= 0.0)).all():
             raise refused(path, f"{field} must be above 0 everywhere")
+        if not values.all():
+            log.warning(
+                "%s: %s is left out: it is 0 at %d of its points, rounded from less",
+                path, name, int((values == 0.0).sum()),
+            )  # fmt: skip
+            continue
         medians[name] = np.log(values).reshape(y.size, x.size)
     if not medians:
-        raise refused(path, "has neither PGA, PGV nor PSA")
+        raise refused(path, "has neither PGA, PGV nor PSA that is above 0 everywhere")
     beside = Path(uncertainty) if uncertainty else path.with_name(UNCERTAINTY)
     sigmas = _sigmas(beside, x, y) if uncertainty or beside.exists() else _sigmas_in(path, table)
     if assumed_sigma is not None:
@@ -185,12 +191,14 @@ def _sigmas_in(path: Path, table: _Table) -> dict[str, NDArray[np.float64]]:
         if name is None or not field.startswith("STD"):
             continue
         values = table.values[order, column]
-        if not unit.startswith("ln") or not (np.isfinite(values) & (values >= 0.0)).all():
-            raise refused(
-                path,
-                f"{field} must be standard deviations of logarithms, 0 or more; its unit "
-                f"is {unit!r}",
-            )
+        if not unit.startswith("ln"):
+            log.warning(
+                "%s: %s is left out: it is no standard deviation of a logarithm, its unit is %r",
+                path, field, unit,
+            )  # fmt: skip
+            continue
+        if not (np.isfinite(values) & (values >= 0.0)).all():
+            raise refused(path, f"{field} must be standard deviations, 0 or more")
         found[name] = values.reshape(y.size, x.size)
     return found
 

@@ -6,9 +6,13 @@ stood on the floor. What is built in or fastened, such as a bench or a plinth, c
 
 from __future__ import annotations
 
+import re
+
 from shaketable.inventory import hints
 from shaketable.inventory.vocabulary import plain, row_words
 
+#: That something is on what a name names.
+_ON = re.compile(r"\b(on|auf|sobre|en|su|sul|sulla|sopra)\b|上", re.IGNORECASE)
 #: m: what is higher and said to stand on a stand is as high as both.
 WITH_ITS_STAND = 1.0
 
@@ -46,5 +50,9 @@ def what_it_stands_on(said: str, name: str, note: str, location: str, height: fl
 
 
 def may_be_fastened(name: str, note: str, location: str) -> bool:
-    """Whether an object stands on something that is taken as fastened to the building."""
-    return any(hints.is_fastened(text) for text in (name, note, location))
+    """Whether an object stands on something that is taken as fastened to the building.
+
+    A name says that only with a word for it: "analyser on bench", not "work bench".
+    """
+    on = _ON.search(name) is not None and hints.is_fastened(name)
+    return on or any(hints.is_fastened(text) for text in (note, location))

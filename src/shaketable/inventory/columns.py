@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import re
-from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Set
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from functools import lru_cache
 from types import MappingProxyType
 
-from shaketable.errors import Fault, quoted
 from shaketable.inventory.hints import is_about_what_decides
-from shaketable.inventory.vocabulary import heading, headings, plain, vocabularies
-from shaketable.language import tell
-from shaketable.tables.sheet import Cell, Sheet
+from shaketable.inventory.sizes import order_in, unit_beside_order
+from shaketable.inventory.vocabulary import (
+    Vocabulary,
+    heading,
+    headings,
+    plain,
+    row_words,
+    vocabularies,
+)
+from shaketable.tables.sheet import Cell
 
 #: English headings by their meanings; those of other languages are in `words`.
 WORDS = vocabularies()[0].columns
@@ -25,6 +30,7 @@ LENGTHS = (
     "depth", "width", "diameter", "height", "cg_height", "gyration_radius", "support_length",
     "wall_gap", "edge", "lip", "x", "y", LENGTH, *LOSSES,
 )  # fmt: skip
+UNIT = "unit"  # of a column that says the unit of each row's sizes
 ONCE = ("name", "location", "note", "stands_on")  # of several such columns the first is used
 ZERO = ("wall_gap", "edge", "lip", "x", "y")  # may be none
 PLAN = ("x", "y")
@@ -42,23 +48,28 @@ METRES = {
          "millimetri", "ミリ"), 0.001,
     ),
     **dict.fromkeys(("metros", "metri"), 1.0),
+    **dict.fromkeys(("zoll", "pulgada", "pulgadas", "pollice", "pollici", '"', "″"), 0.0254),
+    **dict.fromkeys(("fuß", "fuss", "pie", "pies", "piede", "piedi", "'", "′"), 0.3048),
+    "yd": 0.9144, "yards": 0.9144, "mt": 1.0, "mts": 1.0,
     "in": 0.0254, "inch": 0.0254, "inches": 0.0254, "ft": 0.3048, "feet": 0.3048, "foot": 0.3048,
 }  # fmt: skip
 KILOGRAMS = {"kg": 1.0, "t": 1000.0, "g": 0.001, "lb": 0.45359237, "lbs": 0.45359237}
 NEWTONS = {"n": 1.0, "kn": 1000.0, "dan": 10.0, "kgf": 9.80665, "lbf": 4.4482216}
+SIZE = "size"  # of a column with several sizes in each cell
 #: Of what has units.
 UNITS = {
-    **dict.fromkeys(LENGTHS, METRES), "mass": KILOGRAMS, **dict.fromkeys(FORCES, NEWTONS)
+    **dict.fromkeys((*LENGTHS, SIZE), METRES), "mass": KILOGRAMS, **dict.fromkeys(FORCES, NEWTONS)
 }  # fmt: skip
 
-_ENGLISH = {heading(word) for words in WORDS.values() for word in words}
 _LONG = [word for word in headings() if len(word) > 3]  # slips are seen
 NEAR = 0.83  # of a heading with a slip to the word that is meant: heigth, not label and level
 #: What a heading with a slip may mean: sizes and names; what else decides is asked.
 SLIPS = ("name", "depth", "width", LENGTH, "diameter", "height", "mass")
 SIZES_OF_BODY = ("depth", "width", LENGTH, "diameter", "height", "cg_height")
 KNOWN_UNITS = {unit for units in UNITS.values() for unit in units}
-_UNIT = re.compile(r"[(\[]\s*([^()\[\]]*?)\s*[)\]]\s*$")
+#: A unit right behind a word of a language without blanks.
+_JOINED = re.compile(r"(.*[\u3000-\u9fff])(mm|cm|m|kg|g|t)")
+UNIT_IN_BRACKETS = re.compile(r"[(\[]\s*([^()\[\]]*?)\s*[)\]]\s*$")
 
 
 @dataclass(frozen=True)
@@ -71,6 +82,9 @@ class Column:
         unit: as its name says; "m", "kg" or "n" where it says none, "" where it needs none.
         stated: whether the name says the unit.
         near: the known word that its name resembles, "" where it is one itself.
+        order: meanings of the sizes in its cells, in their order; () where they say it themselves.
+        decimal: the decimal sign of its numbers, "" where it is not certain.
+        is_length: whether it is called the length of the base, and is one of its sides therefore.
     """
 
     cell: Cell
@@ -78,6 +92,9 @@ class Column:
     unit: str = ""
     stated: bool = False
     near: str = ""
+    order: tuple[str, ...] = ()
+    decimal: str = ""
+    is_length: bool = False
 
     @property
     def factor(self) -> float:
@@ -87,14 +104,38 @@ class Column:
 
 def bracketed(text: str) -> str:
     """What stands in brackets at the end of a heading, "" if nothing does."""
-    found = _UNIT.search(plain(text))
+    found = UNIT_IN_BRACKETS.search(plain(text))
     return found[1] if found else ""
+
+
+def plain_unit(text: str) -> str:
+    """A unit without what stands around it: "in cm", "ft." """
+    return text.strip().removeprefix("in ").removeprefix("en ").strip().rstrip(".")
+
+
+def _said_twice(words: str) -> Iterator[str]:
+    """What a heading says twice, in words and a letter or in two languages: "Höhe H"."""
+    parts = re.split(r"\s*/\s*|\s(?=\w$)", words)
+    meanings = {headings().get(part) for part in parts}
+    if len(parts) > 1 and len(meanings) == 1 and None not in meanings:
+        yield parts[0]
 
 
 def is_header(texts: Iterable[str], said: ColumnsSaid = MappingProxyType({})) -> bool:
     """Whether a row names all that every inventory has."""
     found = {column.meaning for text in texts if (column := understood(Cell(text, ""), said))}
-    return {"name", "height"} <= found and bool(found & {"depth", "width", "diameter"})
+    return "name" in found and (SIZE in found or _names_sizes(found))
+
+
+def has_columns_of_sizes(texts: Iterable[str], said: ColumnsSaid = MappingProxyType({})) -> bool:
+    """Whether a row names the height and a side of the base, each by itself."""
+    return _names_sizes(
+        {column.meaning for text in texts if (column := understood(Cell(text, ""), said))}
+    )
+
+
+def _names_sizes(meanings: Set[str]) -> bool:
+    return "height" in meanings and bool(meanings & {"depth", "width", "diameter"})
 
 
 #: What a user says of columns: headings as they are compared, and the columns that they are; ""
@@ -104,7 +145,7 @@ ColumnsSaid = Mapping[str, str]
 
 def said_of(cell: Cell, said: ColumnsSaid) -> str:
     """Under which heading the user says something of a column, with its unit or without it; ""."""
-    for words in (heading(cell.text), heading(_UNIT.sub("", plain(cell.text)))):
+    for words in (heading(cell.text), heading(UNIT_IN_BRACKETS.sub("", plain(cell.text)))):
         if words in said:
             return words
     return ""
@@ -122,125 +163,47 @@ def understood(cell: Cell, said: ColumnsSaid = MappingProxyType({})) -> Column |
         column = meant if meant is None or meant.stated else with_unit or meant
         return column and replace(column, cell=cell)
     text = plain(cell.text)
-    bracket = _UNIT.search(text)
-    unit = ""
-    if bracket:
-        unit, text = bracket[1], text[: bracket.start()]
-    words, known = heading(text), headings()
-    if words not in known and not unit:
-        words, _, unit = words.rpartition(" ")
-    meaning = known.get(words)
-    units = UNITS.get(meaning or "", {})
-    if meaning is None or (unit and unit not in units) or (meaning in PLAN and not unit):
-        return None
-    return Column(cell, meaning, unit or next(iter(units), ""), bool(unit))
-
-
-def columns_of(
-    sheet: Sheet,
-    header: list[Cell],
-    said: ColumnsSaid = MappingProxyType({}),
-    units: Mapping[int, str] = MappingProxyType({}),
-    *,
-    sizes: bool = True,
-) -> tuple[list[Column | None], list[Fault]]:
-    """The columns, None for one that is not used, and the faults of the header.
-
-    Args:
-        sheet: where it stands.
-        header: its cells.
-        said: what the user says of some; others of the same meaning are not used then.
-        units: of columns whose names have none, by their places.
-        sizes: whether columns of sizes are needed.
-    """
-    if not header:
-        text = tell("the file is empty; its first row must name the columns")
-        return [], [Fault(sheet.path, "", "", "empty", text)]
-    faults = []
-    columns = [understood(cell, said) if cell.text else None for cell in header]
-    ruled = {column.meaning for column in columns if column and said_of(column.cell, said)}
-    columns = [
-        None if column and column.meaning in ruled and not said_of(column.cell, said) else column
-        for column in columns
-    ]
-    exact = {column.meaning for column in columns if column}
-    for k, cell in enumerate(header):
-        if understood(cell, said):
+    if len(text) > 1 and text.rstrip(".") in KILOGRAMS:  # "lbs" alone
+        return Column(cell, "mass", text.rstrip("."), True)
+    if order := order_in(text):
+        unit = unit_beside_order(text)
+        return Column(cell, SIZE, unit or "m", bool(unit), order=order)
+    known = headings()
+    for words, unit in _apart(text):
+        meaning = known.get(words)
+        units = UNITS.get(meaning or "", {})
+        if meaning is None or (meaning in PLAN and not unit):
             continue
-        if columns[k] is None and cell.text and (near := nearly(cell, said)):
-            columns[k] = near if near.meaning not in exact else None
-            exact.add(near.meaning)
-    columns = [
-        replace(column, unit=units[k], stated=True)
-        if column and k in units and not column.stated and units[k] in UNITS.get(column.meaning, {})
-        else column
-        for k, column in enumerate(columns)
-    ]
-    columns = _once(_with_length(columns))
-    for cell, column in zip(header, columns, strict=True):
-        known = bool(said_of(cell, said)) or understood(cell) is not None
-        if column is None and cell.text and not known and (meant := _meant(cell.text)):
-            message = tell(
-                "unknown column {column}; is {meant} meant?", column=quoted(cell.text), meant=meant
-            )
-            faults.append(sheet.fault(cell, "column", message))
-    faults += [
-        sheet.fault(
-            column.cell,
-            "column",
-            tell(
-                "{unit} is no unit that is known for {meaning!r}; say it with what the column "
-                "means, as in 'height_cm'",
-                unit=quoted(bracketed(column.cell.text)),
-                meaning=column.meaning,
-            ),
-        )
-        for column in columns
-        if column and said_of(column.cell, said) and _hides_a_unit(column)
-    ]
-    times = Counter(column.meaning for column in columns if column)
-    faults += [
-        sheet.fault(
-            header[0],
-            "column",
-            tell(
-                "{count} columns mean {meaning!r}: {columns}",
-                count=count,
-                meaning=meaning,
-                columns=", ".join(
-                    quoted(each.cell.text) for each in columns if each and each.meaning == meaning
-                ),
-            ),
-        )
-        for meaning, count in times.items()
-        if count > 1
-    ]
-    if LENGTH in times:
-        message = tell("is depth (front to back) or width (side to side) meant? Give both")
-        faults.append(sheet.fault(header[0], "column", message, LENGTH))
-    needed = ("name", "height") if sizes else ("name",)
-    missing = [meaning for meaning in needed if meaning not in times]
-    if sizes and not {"depth", "width", "diameter"} & times.keys():
-        missing.append("depth")
-    usual = tell("--catalogue takes sizes that are usual for things of that name")
-    faults += [
-        sheet.fault(
-            header[0],
-            "no column",
-            tell("no column for the {meaning!r} of an object", meaning=meaning),
-        )._replace(mend=usual if meaning != "name" else "")
-        for meaning in missing
-    ]
-    if faults:
-        faults.append(Fault(sheet.path, "", "", "accepted", accepted()))
-    return columns, faults
+        of_none = not units and bracketed(cell.text) and unit not in KNOWN_UNITS
+        if unit and unit not in units and not of_none:
+            continue  # "Qty (pcs)" is a quantity; "Width (cubits)" and "Area (cm)" are nothing
+        return Column(cell, meaning, unit if unit in units else next(iter(units), ""),
+                      unit in units)  # fmt: skip
+    return None
 
 
-def _hides_a_unit(column: Column) -> bool:
-    """Whether a heading names in brackets what may be a unit, and none is known."""
-    unit = bracketed(column.cell.text)
-    units = UNITS.get(column.meaning, {})
-    return bool(unit and units) and not column.stated and unit not in units
+def _apart(text: str) -> Iterator[tuple[str, str]]:
+    """A heading as words and a unit, in every way in which it may be written.
+
+    "Height (cm)", "height_cm", "H/cm", "Höhe in cm", "幅mm".
+    """
+    bracket = UNIT_IN_BRACKETS.search(text)
+    if bracket:
+        words, unit = heading(text[: bracket.start()]), plain_unit(bracket[1])
+        yield words, unit
+        yield from ((each, unit) for each in _said_twice(words))
+        return
+    words = heading(text)
+    yield words, ""
+    begin, _, unit = words.rpartition(" ")
+    yield begin, unit
+    yield from ((each, unit) for each in _said_twice(begin))
+    yield begin.removesuffix(" in").removesuffix(" en"), unit
+    slashed, _, unit = words.rpartition("/")
+    yield slashed.strip(), unit.strip()
+    joined = _JOINED.fullmatch(words)
+    if joined:
+        yield joined[1], joined[2]
 
 
 def nearly(cell: Cell, said: ColumnsSaid = MappingProxyType({})) -> Column | None:
@@ -251,7 +214,9 @@ def nearly(cell: Cell, said: ColumnsSaid = MappingProxyType({})) -> Column | Non
     text = plain(cell.text)
     if text.startswith("#") or said_of(cell, said) or is_about_what_decides(cell.text):
         return None  # it is left out on purpose, or asked
-    bare, unit = heading(_UNIT.sub("", text)), bracketed(text)
+    if heading(text) in row_words("own"):
+        return None  # a word of its own, such as "Dept"
+    bare, unit = heading(UNIT_IN_BRACKETS.sub("", text)), bracketed(text)
     begin, _, after = bare.rpartition(" ")
     tries = [(begin, after)] if after in KNOWN_UNITS and not unit else []
     for words, rest in (*tries, (bare, unit)):
@@ -270,59 +235,9 @@ def _like(words: str) -> list[str]:
     return [word for word in found if word.count(" ") == words.count(" ")]
 
 
-def _with_length(columns: list[Column | None]) -> list[Column | None]:
-    """Columns with a length as the side of the base that no other column gives."""
-    given = {column.meaning for column in columns if column}
-    sides = [side for side in ("depth", "width") if side not in given]
-    if LENGTH not in given or len(sides) == 2:
-        return columns
-    return [
-        replace(column, meaning=sides[0], near=column.near or LENGTH)
-        if column and sides and column.meaning == LENGTH
-        else None
-        if column and column.meaning == LENGTH
-        else column
-        for column in columns
-    ]
-
-
-def _once(columns: list[Column | None]) -> list[Column | None]:
-    """Columns of which those of ONCE are there once."""
-    found: list[Column | None] = []
-    seen: set[str] = set()
-    for column in columns:
-        again = column is not None and column.meaning in ONCE and column.meaning in seen
-        found.append(None if again else column)
-        seen |= {column.meaning} if column else set()
-    return found
-
-
-def _meant(header: str) -> str:
-    """The known word that a header with a wrong unit has, "" if none: it would lose a column."""
-    if header.startswith("#"):  # it is left out on purpose
-        return ""
-    bare = heading(_UNIT.sub("", plain(header)))
-    begin, _, _ = bare.rpartition(" ")
-    if bare in PLAN or begin in PLAN:  # "X" may be a column of ticks, "x direction" anything
-        return ""
-    if bare in headings() or begin in headings():  # with a unit that is none
-        meaning = begin if begin in headings() else bare
-        units = UNITS.get(headings()[meaning])
-        if units:
-            return tell("{meaning!r} in one of {units}", meaning=meaning, units=", ".join(units))
-        # "Raum Nr", "Forma pago" and "remarks 2" are columns of their own
-        own = meaning not in _ENGLISH or headings()[meaning] in ONCE
-        return "" if own else f"{meaning!r}"
-    return ""
-
-
-def accepted() -> str:
-    """The columns that are accepted, in words."""
-    names = [f"{name}_{next(iter(UNITS[name]))}" if name in UNITS else name for name in WORDS]
-    return tell(
-        "accepted columns, in English (and in German, Italian, Japanese and Spanish): {names}; "
-        "name, depth (front to back) or width (side to side) or diameter, and height are needed; "
-        "lengths may be in cm, mm, in or ft, as in 'height_cm' or 'Height (cm)'; a file may say "
-        "what other columns mean",
-        names=", ".join(names),
-    )
+def written_heading(own: Vocabulary, meaning: str, lengths: str = "cm") -> str:
+    """The heading of a column in a template, with its unit."""
+    word = own.in_template.get(meaning, own.columns[meaning][0])
+    word = word[:1].upper() + word[1:]
+    units = UNITS.get(meaning)
+    return f"{word} ({lengths if units is METRES else next(iter(units))})" if units else word

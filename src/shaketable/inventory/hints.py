@@ -61,8 +61,19 @@ _FURNITURE = hint("furniture", after=r"\s*\d*\s*$")
 _MAY_SAY = hint("may_say", after="")
 #: Words of languages without a file, for that alone: ruotă, roulettes, roue, rodízio, fixação.
 _MAY_SAY_ELSEWHERE = re.compile(
-    r"\b(ruot|roulett|roues?\b|rod[íi]zi|rodas\b|trava\b|ancl[éa]|ancr|form(a|e)?\b)", re.IGNORECASE
+    r"\b(ruot|roulett|roues?\b|rod[íi]zi|rodas\b|trava\b|ancl[éa]|ancr|form(a|e)?\b|"
+    r"fix[éea]|s[ée]curis|attach|scell|preso\b|chumb|vast(gezet)?\b|verankerd|wiel|kotw|kół|zamocow|"
+    r"koleč|hjul|förank|fastg|pyör|kiinni|tekerlek|sabit|rögz|kerek|закреп|колес|крепл)",
+    re.IGNORECASE,
 )
+#: Yes and no and nothing more: below a header of something else they are about that.
+YES_OR_NO = {
+    "yes", "y", "true", "1", "x", "no", "n", "false", "0", "-", "ja", "j", "wahr", "nein", "falsch",
+    "sí", "si", "s", "verdadero", "falso", "sì", "vero", "oui", "non", "sim", "não", "はい", "有",
+    "有り", "あり", "○", "〇", "◯", "いいえ", "無", "無し", "なし", "×",
+}  # fmt: skip
+#: Of a header: a word, or letters of a language in which one of them may be a word.
+_A_WORD = re.compile(r"[^\W\d_]{3}|[\u3000-\u9fff]")
 #: Of a header: what may say on what objects stand.
 _STANDS = hint("stands")
 #: Headers that the patterns above would take, and that are about something else.
@@ -151,7 +162,8 @@ def is_about_what_decides(header: str) -> bool:
 def may_say_what_decides(header: str, values: Iterable[str], answers: Iterable[str]) -> bool:
     """Whether an unknown column may say what decides: castors, anchors or shapes of objects.
 
-    By its header, by the values of most rows, or as all of its values are answers.
+    By its header, by the values of most rows, or as all of its values are answers. Yes and no below
+    a word of something else, such as "warranty", say that.
 
     Args:
         header: of the column.
@@ -163,4 +175,6 @@ def may_say_what_decides(header: str, values: Iterable[str], answers: Iterable[s
     if is_about_what_decides(header):
         return True
     like = sum(bool(_said(_CASTORS, each) or _said(_ANCHORED, each)) for each in told)
-    return bool(told) and (2 * like > len(told) or all(each in known for each in told))
+    unrelated = _A_WORD.search(plain(header)) is not None and set(told) <= YES_OR_NO
+    answered = all(each in known for each in told) and not unrelated
+    return bool(told) and (2 * like > len(told) or answered)

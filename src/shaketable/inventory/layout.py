@@ -1,42 +1,44 @@
 """Where in a sheet the objects stand: its header, its rows, and what is about all of them.
 
-Titles may stand above the header, a heading above several columns ("Size [cm]"), units below it.
-Totals, footnotes, headings of parts and tables of something else are left out, each with a remark.
+Titles may stand above the header, a heading above several columns ("Size [cm]"), units below it,
+and the header may have two rows. Totals, footnotes and tables of something else are left out, each
+with a remark. The heading of a part of the list is where the objects below it stand.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
-from shaketable.errors import refused
+from shaketable.errors import named, quoted, refused
 from shaketable.inventory.columns import (
-    KNOWN_UNITS,
     LENGTHS,
     METRES,
+    SIZE,
     SIZES_OF_BODY,
+    UNIT_IN_BRACKETS,
     UNITS,
     Column,
     ColumnsSaid,
     bracketed,
+    has_columns_of_sizes,
     is_header,
     nearly,
+    plain_unit,
     understood,
 )
-from shaketable.inventory.vocabulary import heading, plain, row_words
+from shaketable.inventory.object_rows import HEADINGS, NOTES, NUMBER, contents, rows_of
+from shaketable.inventory.said_units import SEVERAL, unit_alone, unit_of_all, units_below, units_in
+from shaketable.inventory.sizes import OTHER_SIZES
+from shaketable.inventory.vocabulary import plain
 from shaketable.language import tell, translated
 from shaketable.tables.faults import places
 from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet
 
 GROUP_ABOVE = 2  # rows of headings above the header
-WITHOUT_BLANKS = "\u3000"  # letters beyond it are of languages without them
-SENTENCE = 5  # words: of a note, and not of a name
-#: A number, with a unit or as a range: not what stands in titles.
-_NUMBER = re.compile(r"[-+]?\d[\d.,]*\s*([a-z]{1,3}|[-–—~〜].*)?", re.IGNORECASE)
-_FOOTNOTE = re.compile(r"[*†‡※¹²³]|\(?\d\)")
-_UNIT_SAID = {"in", "en", "単位", ":", "："}  # before a unit of one letter
+MOST_NAMED = 20  # headings of parts in a remark
+PARTS = "location"  # heading of the column of the parts of a list
 
 Row = list[Cell]
 
@@ -74,28 +76,35 @@ def layout_of(sheet: Sheet, said: ColumnsSaid = MappingProxyType({})) -> Layout:
     filled = list(sheet.filled())
     if not filled:
         return Layout([], [])
-    first = filled[:HEADER_WITHIN]
-    known = [sum(understood(cell, said) is not None for cell in row) for row in first]
-    at = known.index(max(known)) if max(known) > 1 else 0
-    whole = (k for k, row in enumerate(first) if is_header((c.text for c in row), said))
-    at = next(whole, at)
+    at, tall = _place_of_header(filled[:HEADER_WITHIN], said)
     for row in filled[:at]:
-        if sum(_NUMBER.fullmatch(cell.text) is not None for cell in row) > 1:
+        if sum(NUMBER.fullmatch(cell.text) is not None for cell in row) > 1:
             text = tell(
                 "numbers stand above the header on {header}; begin the file with the header",
                 header=filled[at][0].where,
             )
             raise refused(sheet.path, text, where=row[0].where)
-    header = _with_names_above(filled[at], filled[max(0, at - GROUP_ABOVE) : at], said)
+    if tall == 1:
+        above = filled[max(0, at - 1) : at]
+        header = _with_names_above(filled[at], filled[max(0, at - GROUP_ABOVE) : at], said)
+    else:
+        above = filled[at : at + 1]
+        header = _joined(filled[at], filled[at + 1])
     columns = [understood(cell, said) or nearly(cell, said) for cell in header]
-    rows = filled[at + 1 :]
-    below = _units_below(rows[0]) if rows else {}
+    rows = filled[at + tall :]
+    below = units_below(rows[0]) if rows else {}
     if below:
         _require_same(sheet, columns, below, rows[0])
         rows = rows[1:]
-    rows, left = _rows_of(filled[at], columns, rows, said)
-    units = _of_group(columns, filled[max(0, at - 1) : at]) | below
+    rows, left = rows_of(sheet, filled[at + tall - 1], columns, rows, below, said)
+    units = _of_group(columns, above) | below
+    alone = {unit for k, unit in below.items() if unit in METRES}
+    if len(alone) == 1 and not any(_takes(columns, k, unit) and columns[k] for k, unit in
+                                   below.items() if k < len(columns)):  # fmt: skip
+        # "(ft)" below the names is about all sizes
+        units |= dict.fromkeys((k for k, c in enumerate(columns) if _is_bare_length(c)), *alone)
     units = {k: unit for k, unit in units.items() if _takes(columns, k, unit)}
+    _require_one_unit(sheet, columns, units, rows, left.get(NOTES, []))
     remarks = [
         tell(
             "left out, as {what}: {rows}",
@@ -106,7 +115,13 @@ def layout_of(sheet: Sheet, said: ColumnsSaid = MappingProxyType({})) -> Layout:
     ]
     bare = [k for k, column in enumerate(columns) if k not in units and _is_bare_length(column)]
     for text in _texts([*filled[:at], *left.get(NOTES, [])]) if bare else ():
-        unit = _unit_of_all(text)
+        unit = unit_of_all(text)
+        if unit == SEVERAL:
+            message = tell(
+                "names several units: {found}. Say the unit of each column in its heading",
+                found=quoted(text),
+            )
+            raise refused(sheet.path, message)
         if unit:
             units |= dict.fromkeys(bare, unit)
             remarks.append(
@@ -117,26 +132,133 @@ def layout_of(sheet: Sheet, said: ColumnsSaid = MappingProxyType({})) -> Layout:
                 )
             )
             break
+    if HEADINGS in left:
+        names = [next(cell.text for cell in row if cell.text) for row in left[HEADINGS]]
+        remarks = [each for each in remarks if translated(HEADINGS) not in each]
+        remarks.append(
+            tell(
+                "{parts} are read as headings of parts of the list",
+                parts=named([quoted(each) for each in names], MOST_NAMED),
+            )
+        )
+        header, rows = _with_parts(header, columns, rows, left[HEADINGS])
     return Layout(header, rows, units, tuple(remarks))
 
 
+def _place_of_header(first: Sequence[Row], said: ColumnsSaid) -> tuple[int, int]:
+    """Where the header begins, and of how many rows it is.
+
+    Two rows are one header where neither alone names all that is needed and both together do.
+    """
+    texts = [[cell.text for cell in row] for row in first]
+    for k, row in enumerate(texts):
+        after = first[k + 1] if k + 1 < len(first) else []
+        numbers = any(NUMBER.fullmatch(cell.text) for cell in (*first[k], *after))
+        both = [] if numbers or not after else [cell.text for cell in _joined(first[k], after)]
+        if is_header(row, said):
+            apart = has_columns_of_sizes(both, said) and not has_columns_of_sizes(row, said)
+            return k, 2 if apart or (both and _goes_on(row, after, said)) else 1
+        if is_header(both, said) and not is_header(texts[k + 1], said):
+            return k, 2
+    known = [sum(understood(cell, said) is not None for cell in row) for row in first]
+    if max(known) > 1:
+        return known.index(max(known)), 1
+    # what stands right above the first numbers
+    counts = [sum(NUMBER.fullmatch(cell.text) is not None for cell in row) for row in first]
+    return max(next((k for k, count in enumerate(counts) if count > 1), 0) - 1, 0), 1
+
+
+def _goes_on(row: Sequence[str], after: Row, said: ColumnsSaid) -> bool:
+    """Whether a row of headings goes on below, where it has groups of columns or nothing."""
+    filled = [k for k, cell in enumerate(after) if cell.text]
+    free = all(
+        k >= len(row) or not row[k] or OTHER_SIZES.search(plain(row[k])) is not None for k in filled
+    )
+    return free and sum(understood(after[k], said) is not None for k in filled) > 1
+
+
+def _joined(upper: Row, lower: Row) -> Row:
+    """A header of two rows as one: what stands below counts, and a unit there goes with a name."""
+    found = []
+    group = ""
+    for k, cell in enumerate(upper):
+        under = lower[k] if k < len(lower) else None
+        group = cell.text or group
+        if under is None or not under.text or under.text == cell.text:
+            found.append(cell)
+            continue
+        unit = unit_alone(under.text)
+        named = f"{UNIT_IN_BRACKETS.sub('', cell.text).strip()} ({unit})" if unit else ""
+        if OTHER_SIZES.search(plain(group)):  # those of its packing are not its own
+            found.append(under._replace(text=f"{group}: {under.text}"))
+            continue
+        column = understood(cell._replace(text=named)) if named else None  # "T" may be a depth
+        fits = column is not None and column.stated and column.unit == unit
+        found.append(cell._replace(text=named) if fits else under)
+    return [*found, *lower[len(upper) :]]
+
+
+def _with_parts(
+    header: Row, columns: Sequence[Column | None], rows: list[Row], parts: list[Row]
+) -> tuple[Row, list[Row]]:
+    """A header and rows with the part of the list as the place, where no column says that."""
+    if any(column and column.meaning == "location" for column in columns):
+        return header, rows
+    titles = {row[0].row: next(cell.text for cell in row if cell.text) for row in parts}
+    found = []
+    for row in rows:
+        above = [number for number in titles if number < row[0].row]
+        part = titles[max(above)] if above else ""
+        bare = Cell("", row[0].where, row[0].row)
+        filled = [*row, *[bare] * (len(header) - len(row))]
+        found.append([*filled, bare._replace(text=part)])
+    width = max(len(header), *(len(row) - 1 for row in found)) if found else len(header)
+    head = [*header, *[Cell("", header[0].where)] * (width - len(header))]
+    return [*head, Cell(PARTS, header[0].where, header[0].row)], found
+
+
+def _require_one_unit(
+    sheet: Sheet,
+    columns: Sequence[Column | None],
+    units: Mapping[int, str],
+    rows: Sequence[Row],
+    notes: Sequence[Row],
+) -> None:
+    """InputError where a row among the objects says another unit for those below it."""
+    own = {
+        units.get(k, column.unit)
+        for k, column in enumerate(columns)
+        if column and column.meaning in (*SIZES_OF_BODY, SIZE)
+    }
+    for row in notes:
+        among = rows and rows[0][0].row < row[0].row < rows[-1][0].row
+        for text in _texts([row]) if among else ():
+            found = units_in(text)
+            if found and (len(own) != 1 or any(METRES[each] != METRES.get(*own) for each in found)):
+                message = tell(
+                    "says another unit among the objects: {found}. Give what stands below it as a "
+                    "list of its own",
+                    found=quoted(text),
+                )
+                raise refused(sheet.path, message, where=row[0].where)
+
+
 def _with_names_above(header: Row, above: Sequence[Row], said: ColumnsSaid) -> Row:
-    """A header whose empty cells have the names that stand right above them."""
+    """A header whose empty cells have the names that stand right above them.
+
+    Sizes below the heading of others, such as "Packing (cm)", are called so.
+    """
+    groups = above[-1] if above and len(contents(above[-1])) > 1 else []
     found = []
     for k, cell in enumerate(header):
+        group = groups[k] if k < len(groups) else None
+        if group and cell.text and OTHER_SIZES.search(plain(group.text)):
+            found.append(cell._replace(text=f"{group.text}: {cell.text}"))
+            continue
         names = [row[k] for row in reversed(above) if k < len(row) and row[k].text]
         taken = next((each for each in names if understood(each, said)), None)
         found.append(taken if not cell.text and taken else cell)
     return found
-
-
-def _units_below(row: Row) -> dict[int, str]:
-    """Units in a row below the header, by their columns; none if it is another row."""
-    filled = {k: cell.text for k, cell in enumerate(row) if cell.text}
-    units = {k: plain(text.strip("[]() ")) for k, text in filled.items()}
-    known = {k: unit for k, unit in units.items() if unit in KNOWN_UNITS}
-    others = [text for k, text in filled.items() if k not in known]
-    return {} if any(text.strip("-–— ") for text in others) else known
 
 
 def _require_same(
@@ -158,14 +280,28 @@ def _of_group(columns: Sequence[Column | None], above: Sequence[Row]) -> dict[in
     """Units of a heading above several columns, up to the first that has its own or is no size."""
     group, found = "", dict[int, str]()
     cells = {k: cell for row in above for k, cell in enumerate(row)}
+    merged = False
     for k, column in enumerate(columns):
         text = cells[k].text if k in cells else ""
-        group = bracketed(text) if text else group
+        if text:
+            group = _unit_of_sizes(text)
+        elif merged:  # where the merged heading ends, so does what it says
+            group = ""
+        merged = k in cells and cells[k].wide
         if column is None or column.stated or column.meaning not in SIZES_OF_BODY:
-            group = bracketed(text) if text else ""
+            # a title may end in brackets, too
+            above_it = understood(Cell(text, "")) if text else None
+            group = _unit_of_sizes(text) if above_it and above_it.meaning == SIZE else ""
         elif group:
             found[k] = group
     return found
+
+
+def _unit_of_sizes(text: str) -> str:
+    """The unit of a heading above several columns: "Size [cm]", "Abmessungen in cm"."""
+    column = understood(Cell(text, ""))
+    stated = column.unit if column and column.meaning == SIZE and column.stated else ""
+    return stated or plain_unit(bracketed(text)) or unit_alone(text)
 
 
 def _takes(columns: Sequence[Column | None], k: int, unit: str) -> bool:
@@ -181,103 +317,3 @@ def _is_bare_length(column: Column | None) -> bool:
 def _texts(rows: Sequence[Row]) -> Iterator[str]:
     for row in rows:
         yield from dict.fromkeys(cell.text for cell in row if cell.text)
-
-
-def _unit_of_all(text: str) -> str:
-    """The unit of which a text says that all sizes are in it, "" if it says nothing."""
-    told = heading(text)
-    if not any(_has_words(told, words) for words in row_words("all_sizes")):
-        return ""
-    tokens = [
-        each.strip("[]()") for each in re.split(r"[\s、。,;]+|(?<=[:：])|(?=[:：])", plain(text))
-    ]
-    tokens = [each for each in tokens if each]
-    for before, each in zip(["", *tokens], tokens, strict=False):
-        # "in" is a word before it is a unit, and one letter alone says nothing
-        if each in METRES and ((len(each) > 1 and each != "in") or before in _UNIT_SAID):
-            return each
-    return ""
-
-
-def _has_words(text: str, words: str) -> bool:
-    """Whether a text has some words as wholes; in languages without blanks anywhere."""
-    if max(words) > WITHOUT_BLANKS:
-        return words in text
-    return re.search(rf"(?<!\w){re.escape(words)}(?!\w)", text) is not None
-
-
-NOTES = "notes and headings"
-AGAIN = "the header again"
-OTHER_TABLE = "another table, to the end"
-
-
-def _rows_of(
-    header: Row, columns: Sequence[Column | None], rows: list[Row], said: ColumnsSaid
-) -> tuple[list[Row], dict[str, list[Row]]]:
-    """The rows of objects, and those that are left out by what they are."""
-    names = [heading(cell.text) for cell in header if cell.text]
-    mine = _kinds(columns)
-    meanings = [column and column.meaning for column in columns]
-    at = meanings.index("name") if "name" in meanings else 0
-    full = [k for k, row in enumerate(rows) if len(_contents(row)) > 1]
-    last = full[-1] if full else -1
-    kept: list[Row] = []
-    left: dict[str, list[Row]] = {}
-    skips_units = False
-    for number, row in enumerate(rows):
-        texts = [cell.text for cell in row]
-        if skips_units and _units_below(row):
-            left[AGAIN].append(row)
-            skips_units = False
-            continue
-        skips_units = False
-        if [heading(text) for text in texts if text] == names:
-            left.setdefault(AGAIN, []).append(row)
-            skips_units = True
-        elif is_header(texts, said):
-            if _kinds([understood(cell, said) or nearly(cell, said) for cell in row]) == mine:
-                left.setdefault(AGAIN, []).append(row)
-                continue
-            left[OTHER_TABLE] = rows[number:]
-            break
-        elif _is_total(row, at):
-            left.setdefault("totals", []).append(row)
-        elif len(_contents(row)) == 1 and _is_no_object(row, at, number > last, kept):
-            left.setdefault(NOTES, []).append(row)
-        else:
-            kept.append(row)
-    return kept, left
-
-
-def _kinds(columns: Sequence[Column | None]) -> list[tuple[str, str] | None]:
-    """Meanings and units of columns, by which two headers are alike."""
-    return [(column.meaning, column.unit) if column else None for column in columns]
-
-
-def _contents(row: Row) -> set[str]:
-    """What stands in a row; each cell that cannot be used by itself."""
-    return {cell.text or f"\0{cell.where}" for cell in row if cell.text or cell.wrong}
-
-
-def _is_total(row: Row, name_at: int) -> bool:
-    """Whether a row's name, or its first word where it has no name, is that of a sum."""
-    named = row[name_at].text if name_at < len(row) else ""
-    first = named or next((cell.text for cell in row if cell.text), "")
-    return heading(first).rstrip(" =") in row_words("totals")
-
-
-def _is_no_object(row: Row, name_at: int, after_all: bool, before: Sequence[Row]) -> bool:
-    """Whether a row with one text is a footnote, or the heading of the rows below it.
-
-    A name alone is an object whose sizes are missing.
-    """
-    filled = [k for k, cell in enumerate(row) if cell.text or cell.wrong]
-    text = row[filled[0]].text
-    if text.startswith("#") or row[filled[0]].wrong:  # a comment, of which the reader tells
-        return False
-    if _FOOTNOTE.match(text):
-        return True
-    if len(filled) > 1 or filled[0] != name_at:
-        return not _NUMBER.fullmatch(text)
-    apart = bool(before) and row[0].row - before[-1][0].row > 1
-    return after_all and (apart or len(text.split()) >= SENTENCE)

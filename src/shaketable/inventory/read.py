@@ -4,23 +4,28 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 from statistics import median
 
 from shaketable.errors import Fault, named, quoted, refusal, refused, remark
+from shaketable.inventory.blank_places import with_places_from_above
 from shaketable.inventory.building_sheet import building_said
-from shaketable.inventory.carriers import may_be_fastened
+from shaketable.inventory.cells import cells_of, in_unit_of_row
 from shaketable.inventory.columns import Column
-from shaketable.inventory.hints import (
-    may_say_what_it_stands_on,
-    mentions_anchors,
-    must_be_kept,
-)
-from shaketable.inventory.item import Castors, Item
+from shaketable.inventory.item import Item
 from shaketable.inventory.numbers import number_in
-from shaketable.inventory.rows import BASES, FURNITURE, IMPLAUSIBLE, NOT_EXPECTED, item_of
+from shaketable.inventory.object_rows import contents
+from shaketable.inventory.plausible import BASES, FURNITURE, IMPLAUSIBLE, NOT_EXPECTED
+from shaketable.inventory.rows import item_of
 from shaketable.inventory.table import read_table
+from shaketable.inventory.told import (
+    warn_of_assumed,
+    warn_of_hints,
+    warn_of_missing,
+    warn_of_unused,
+)
 from shaketable.language import tell, translated
 from shaketable.tables import Cell, Sheet, condensed
 
@@ -43,6 +48,7 @@ class Inventory:
         columns: its columns, each with its header; None for one that is not used.
         said_in: the file that says what it does not say of itself, None without one.
         building: what a sheet of it says of the building, as a building's file would; None without.
+        not_assessed: names of the objects whose sizes it does not give.
     """
 
     items: list[Item]
@@ -51,6 +57,7 @@ class Inventory:
     columns: list[tuple[str, Column | None]]
     said_in: Path | None = None
     building: Mapping[str, object] | None = None
+    not_assessed: list[str] = field(default_factory=list)
 
 
 def read_inventory(
@@ -91,10 +98,16 @@ def read_with_columns(
     sheet: str | None = None,
     columns: str | Path | None = None,
     catalogue: bool = False,
+    numbers: Sequence[int] = (),
 ) -> Inventory:
-    """The items of an inventory file and how its columns were understood, as `read_inventory`."""
+    """The items of an inventory file and how its columns were understood, as `read_inventory`.
+
+    Args:
+        path, accept_sizes, sheet, columns, catalogue: as there.
+        numbers: of the rows below the first of a text, in the file from which it was made.
+    """
     path = Path(path)
-    found = read_table(path, sheet, columns, catalogue=catalogue)
+    found = read_table(path, sheet, columns, catalogue=catalogue, numbers=numbers)
     table, layout, known = found.sheet, found.layout, found.columns
     header, rows, faults = layout.header, layout.rows, list(found.faults)
     if faults:
@@ -105,20 +118,24 @@ def read_with_columns(
     unread = tuple(head.text for k, head in enumerate(header) if found.is_unread(k))
     items: list[Item] = []
     rows_of: list[list[Cell]] = []
-    places: dict[tuple[str, ...], Cell] = {}
+    places: dict[tuple[str, ...], list[Cell]] = {}
     again = 0
     comments: list[str] = []
     remarks: list[Fault] = []
-    faults += _nameless(table, header, rows)
+    faults += _nameless(table, header, rows, remarks)
+    rows, filled = with_places_from_above(table, known, rows)
+    remarks += filled
+    from_above = {fault.where for fault in filled}
+    without: list[tuple[str, tuple[Fault, ...]]] = []
     for row in rows:
         name = _text_of(known, row, "name")
-        if name.startswith("#") and sum(bool(cell.text) for cell in row) == 1:
+        if contents(row) and all(text.startswith("#") for text in contents(row)):
             comments.append(row[0].where)
             continue
         if name.startswith("#"):
             message = tell("begins with #, like a comment; delete the row, or only the sign")
             faults.append(table.fault(row[0], "comment", message, "name"))
-        wrong, item = item_of(
+        read = item_of(
             table,
             known,
             row,
@@ -127,24 +144,32 @@ def read_with_columns(
             remarks=remarks,
             catalogue=catalogue,
         )
-        faults += wrong
-        # the same name may be in several buildings, on several floors and in several rooms; in the
-        # list of a portfolio, which names buildings, also more than once in a room
+        faults += [*read.faults, *read.missing]
+        item = read.item
+        if read.missing:
+            without.append((name, read.missing))
+        # a name may be in several buildings, floors and rooms, and with other sizes more than once
+        # in a room; in the list of a portfolio also with the same ones
         here = tuple(_text_of(known, row, meaning) for meaning in SAME)
-        if here[0] and here in places and here[1]:
+        same = here in places and _texts(places[here]) == _texts(row)
+        same = same and not {cell.where for cell in row} & from_above  # two of one, in one place
+        if here[0] and here in places and (here[1] or not same):
             again += 1
         elif here[0] and here in places:
             message = tell(
                 "{name} is also on {where}; make the names or locations differ, or use one row "
                 "with a quantity",
                 name=quoted(here[0]),
-                where=places[here].where,
+                where=places[here][0].where,
             )
             faults.append(table.fault(row[0], "again", message, "name"))
-        places.setdefault(here, row[0])
+        places.setdefault(here, row)
         if item is not None:
             items.append(item)
             rows_of.append(row)
+    lost = [fault for _, missing in without for fault in missing]
+    if items and all(fault in lost for fault in faults):
+        faults = []  # the other objects are assessed, and these named
     if not (faults or accept_sizes):
         faults += _outliers(table, known, rows_of)
     if any(fault.kind == IMPLAUSIBLE for fault in faults):
@@ -169,12 +194,13 @@ def read_with_columns(
         log.warning(remark(path, text))
     for each in condensed(remarks):
         log.warning(each)
+    warn_of_missing(path, without)
     taken = [_taken(column) for column in known if column and column.near]
     for text in (*layout.remarks, *taken):
         log.warning(remark(path, text))
-    _warn_of_unused(path, found.header, known, unread)
+    warn_of_unused(path, found.header, known, unread, rows)
     warn_of_hints(path, items)
-    _warn_of_assumed(path, items)
+    warn_of_assumed(path, items)
     if comments:
         told = named(comments, MOST_NAMED)
         text = tell("left out, as {what}: {rows}", what=translated("comments"), rows=told)
@@ -186,6 +212,7 @@ def read_with_columns(
         kind=table.kind,
         columns=[(cell.text, column) for cell, column in used],
         said_in=found.said.path,
+        not_assessed=[name for name, _ in without],
         building=building_said(table),
     )
 
@@ -197,11 +224,26 @@ def _taken(column: Column) -> str:
     )
 
 
-def _nameless(sheet: Sheet, header: list[Cell], rows: list[list[Cell]]) -> Iterator[Fault]:
-    """Faults of cells that stand below an empty cell of the header."""
+def _is_index(cells: Sequence[Cell]) -> bool:
+    """Whether cells number the rows, as a table's index does."""
+    numbers = [int(cell.text) for cell in cells if cell.text.isdecimal()]
+    rises = all(one < other for one, other in pairwise(numbers))
+    return len(numbers) == sum(bool(cell.text) for cell in cells) > 0 and rises
+
+
+def _nameless(
+    sheet: Sheet, header: list[Cell], rows: list[list[Cell]], remarks: list[Fault]
+) -> Iterator[Fault]:
+    """Faults of cells that stand below an empty cell of the header; an index of rows is told."""
+    indices = set()
+    for k, head in enumerate(header):
+        if not head.text and _is_index([row[k] for row in rows if k < len(row)]):
+            indices.add(k)
+            text = tell("left out: a column without a name that numbers the rows")
+            remarks.append(Fault(sheet.path, head.where, "", "index", text))
     for row in rows:
-        for head, cell in zip(header, row, strict=False):
-            if cell.text and not head.text:
+        for k, (head, cell) in enumerate(zip(header, row, strict=False)):
+            if cell.text and not head.text and k not in indices:
                 yield sheet.fault(
                     cell,
                     "nameless",
@@ -216,15 +258,15 @@ def _outliers(
     sheet: Sheet, columns: list[Column | None], rows: list[list[Cell]]
 ) -> Iterator[Fault]:
     """Faults of sizes that are OUTLIER times those of the other rows, or a share of that."""
-    for k, column in enumerate(columns):
+    for column in columns:
         if column is None or column.meaning not in (*BASES, "height"):
             continue
-        sizes = {
-            cell: number_in(sheet, cell, column).number
-            for row in rows
-            for cell in row[k : k + 1]
-            if cell.text
-        }
+        sizes = {}
+        for row in rows:
+            cells, _ = in_unit_of_row(sheet, cells_of(columns, row))
+            cell, own = cells.get(column.meaning, (Cell("", ""), column))
+            if cell.text:
+                sizes[cell] = number_in(sheet, cell, own).number
         usual = median(sizes.values()) if len(sizes) > 2 else 0.0
         for cell, size in sizes.items():
             times = size / usual if usual else 1.0
@@ -243,112 +285,11 @@ def _outliers(
                 yield sheet.fault(cell, IMPLAUSIBLE, message, column.cell.text)
 
 
+def _texts(row: Sequence[Cell]) -> list[str]:
+    return [cell.text for cell in row]
+
+
 def _text_of(columns: list[Column | None], row: list[Cell], meaning: str) -> str:
     """The text of a row's cell of a meaning, "" if there is none."""
     pairs = zip(columns, row, strict=False)
     return next((cell.text for column, cell in pairs if column and column.meaning == meaning), "")
-
-
-def _warn_of_assumed(path: Path, items: Sequence[Item]) -> None:
-    """Warn of sizes that were taken from the catalogue."""
-    told = list(
-        dict.fromkeys(
-            tell("{name} as {thing}", name=quoted(item.name), thing=quoted(item.assumed_as))
-            for item in items
-            if item.assumed
-        )
-    )
-    if told:
-        text = tell(
-            "sizes that the list leaves out are assumed, as those of the catalogue: {things}",
-            things=named(told, MOST_NAMED),
-        )
-        log.warning(remark(path, text))
-
-
-def warn_of_hints(path: Path, items: Sequence[Item]) -> None:
-    """Warn of names and notes that say what a column should say."""
-    hints = {
-        "may stand on castors. Say none, free or locked in a column 'castors'; until then they are "
-        "simulated as if they had none, and get no class": [
-            item.name for item in items if item.castors is Castors.UNKNOWN
-        ],
-        "may hang, or be fixed to the building: they are not simulated, and get no class. Say yes "
-        "or no in a column 'anchored'": [item.name for item in items if item.hangs],
-        "may be anchored, though the column 'anchored' says no: they are simulated as if they were "
-        "not": [
-            item.name
-            for item in items
-            if item.loose
-            and not (item.surroundings and item.surroundings.straps)
-            and mentions_anchors(item.name, item.note)
-        ],
-        "stand on castors of which it is not known whether they are locked: the worse of both is "
-        "told, and in a room they are taken as locked. Say free or locked in a column 'castors'": [
-            item.name for item in items if item.castors is Castors.SOME
-        ],
-        "are anchored, and not simulated: their walls, straps, pads and edges are not used": [
-            item.name for item in items if item.anchored and item.surroundings
-        ],
-        "may be round, and what is round falls more often. Say box, cylinder or feet in a column "
-        "'shape'; until then they are simulated as boxes, and get no class": [
-            item.name for item in items if item.may_be_round
-        ],
-        "stand on something else, or are stacked. What they stand on is not simulated: they may "
-        "fall with it, and it shakes them more strongly. They get no class. Assess what stands on "
-        "the floor, and hold what stands on it": [
-            item.name for item in items if item.stands_on and item.loose
-        ],
-        "stand on a bench, a plinth or a shelf, which is taken as fastened to the building. Name "
-        "what moves in a column 'stands on', such as shelf or trolley": [
-            item.name
-            for item in items
-            if item.loose
-            and not (item.stands_on or item.rolls)
-            and may_be_fastened(item.name, item.note, item.location)
-        ],
-        "may have to be kept from falling. Say yes or no in a column 'must_not_fall'": [
-            item.name
-            for item in items
-            if not item.must_not_fall and must_be_kept(item.name, item.note)
-        ],
-    }
-    for hint, names in hints.items():
-        if names:
-            told = named([quoted(name) for name in dict.fromkeys(names)], MOST_NAMED)
-            text = tell(
-                "by name, note or location, {names} {hint}", names=told, hint=translated(hint)
-            )
-            log.warning(remark(path, text))
-
-
-def _warn_of_unused(
-    path: Path, header: list[Cell], columns: list[Column | None], unread: tuple[str, ...]
-) -> None:
-    """Warn of columns that are not used, first of those that decide what can be said."""
-    if unread:
-        told = named([quoted(each) for each in unread], MOST_NAMED)
-        text = tell(
-            "{columns} may say what stands on castors, what is anchored or what is round, and is "
-            "not understood: nothing gets a class. Call it castors, anchored, strap or shape, or "
-            "put # before its name if it says none of these",
-            columns=told,
-        )
-        log.warning(remark(path, text))
-    unused = [
-        cell.text
-        for cell, column in zip(header, columns, strict=True)
-        if column is None and cell.text and cell.text not in unread
-    ]
-    stands = [text for text in unused if may_say_what_it_stands_on(text)]
-    if stands:
-        text = tell(
-            "{columns} may say what objects stand on, which is not simulated: what stands on "
-            "furniture may fall with it, and is shaken more strongly. Assess what stands on the "
-            "floor, and hold what stands on it",
-            columns=named([quoted(each) for each in stands], MOST_NAMED),
-        )
-        log.warning(remark(path, text))
-    if unused:
-        told = named([quoted(each) for each in unused], MOST_NAMED)
-        log.warning(remark(path, tell("columns that are not used: {columns}", columns=told)))

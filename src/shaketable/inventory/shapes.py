@@ -68,7 +68,7 @@ def solid_of(item: Item, rolling_resistance: float) -> Solid | None:
         if body.left != body.right:
             return None
         return Solid.cylinder(
-            body.width,
+            body.base,
             item.height,
             cg_height=body.cg_height,
             rolling_friction=item.rolling_friction,
@@ -80,7 +80,7 @@ def solid_of(item: Item, rolling_resistance: float) -> Solid | None:
     front, back, left, right = body.left, body.right, across.left, across.right
     corners = [(-front, -right), (back, -right), (back, left), (-front, left)]
     about_x, about_y = across.gyration_radius**2, body.gyration_radius**2
-    about_z = float(box_inertia(body.width, across.width, item.height)[2, 2])
+    about_z = float(box_inertia(body.base, across.base, item.height)[2, 2])
     about_z = min(max(about_z, abs(about_x - about_y)), about_x + about_y)
     inertia = np.diag([about_x, about_y, about_z])
     if not on_feet:

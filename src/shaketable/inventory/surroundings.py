@@ -14,8 +14,7 @@ from shaketable.inventory.vocabulary import plain, words_of
 from shaketable.language import tell
 from shaketable.simulate.space_input import require_surrounded
 from shaketable.solid import ROLLING_RESISTANCE
-from shaketable.spelled_surroundings import EXAMPLE, surroundings_of
-from shaketable.surroundings import Surroundings
+from shaketable.spelled_surroundings import EXAMPLE, read_strap, surroundings_of
 
 #: Azimuths in a solid's own frame [rad]: x from its front to its back, y to its left.
 _SIDE = {"back": 0.0, "left": math.pi / 2, "front": math.pi, "right": -math.pi / 2}
@@ -53,7 +52,7 @@ def with_surroundings(
         around = surroundings_of(
             solid,
             side=SIDES[plain(text.get("wall_side", ""))],
-            straps=[each.strip() for each in spelled if each.strip()],
+            straps=[read_strap(each.strip()) for each in spelled if each.strip()],
             wall_gap=numbers.get("wall_gap"),
             wall_restitution=RESTITUTION if "wall_gap" in numbers else None,
             edge=numbers.get("edge"),
@@ -71,18 +70,11 @@ def with_surroundings(
                 height=item.height,
             )
             return item, [("strap", message)]
-        require_surrounded(solid, in_space(around), 0.0)
+        require_surrounded(solid, around, 0.0)
     except InputError as error:
         which = "strap" if "strap" in given else given[0]
         return item, [(which, str(error))]
     return replace(item, surroundings=around), []
-
-
-def in_space(around: Surroundings | None) -> Surroundings | None:
-    """What solids take of surroundings: no lip."""
-    if around is None or around.edge is None:
-        return around
-    return replace(around, edge=replace(around.edge, lip=0.0))
 
 
 def _contradictions(

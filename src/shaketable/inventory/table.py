@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -10,7 +11,8 @@ from pathlib import Path
 from shaketable.errors import Fault, named, quoted, refused, remark
 from shaketable.inventory.answers import ANSWERING
 from shaketable.inventory.building_sheet import titles
-from shaketable.inventory.columns import Column, columns_of, is_header, said_of
+from shaketable.inventory.columns import Column, is_header, said_of
+from shaketable.inventory.header import columns_of
 from shaketable.inventory.hints import may_say_what_decides
 from shaketable.inventory.layout import Layout, layout_of
 from shaketable.inventory.mapping import ListSaid, mapping_beside, read_mapping
@@ -77,6 +79,7 @@ def read_table(
     columns: str | Path | None = None,
     *,
     catalogue: bool = False,
+    numbers: Sequence[int] = (),
 ) -> Table:
     """The table of a list; arguments as for `read_inventory`.
 
@@ -94,6 +97,7 @@ def read_table(
         sheet=said.sheet if sheet is None else sheet,
         strict=False,
         known=titles("columns") | titles("building"),
+        numbers=numbers,
     )
     layout = layout_of(found, said.columns)
     lost = set(said.columns) - {said_of(cell, said.columns) for cell in layout.header}
@@ -103,6 +107,6 @@ def read_table(
         )
         raise refused(beside, text)
     known, faults = columns_of(
-        found, layout.header, said.columns, layout.units, sizes=not catalogue
+        found, layout.header, layout.rows, said.columns, layout.units, sizes=not catalogue
     )
     return Table(sheet=found, layout=layout, columns=known, faults=faults, said=said)

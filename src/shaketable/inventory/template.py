@@ -5,8 +5,8 @@ from __future__ import annotations
 from shaketable.errors import InputError
 from shaketable.inventory.catalogue import LANGUAGES as NAMED_IN
 from shaketable.inventory.catalogue import catalogue
-from shaketable.inventory.columns import METRES, SIZES_OF_BODY, UNITS
-from shaketable.inventory.rows import MOST_CRITICAL
+from shaketable.inventory.columns import METRES, SIZES_OF_BODY, UNITS, written_heading
+from shaketable.inventory.row_words import MOST_CRITICAL
 from shaketable.inventory.vocabulary import ENGLISH, Vocabulary, first_word, vocabularies
 from shaketable.tables.template import Question, Template
 
@@ -84,7 +84,7 @@ def inventory_template(
         if given not in accepted:
             raise InputError(f"expected one of {', '.join(accepted)}, found {given!r}")
     own = words[language]
-    names = {meaning: _heading(own, meaning, lengths) for meaning in own.explained}
+    names = {meaning: written_heading(own, meaning, lengths) for meaning in own.explained}
     explained = {names[meaning]: text for meaning, text in own.explained.items()}
     return Template(
         title=own.values["sheets"]["objects"][0],
@@ -108,14 +108,6 @@ def inventory_template(
         explanations=own.values["sheets"]["columns"][0],
         asked={own.values["sheets"]["building"][0]: _of_building(own)},
     )  # fmt: skip
-
-
-def _heading(own: Vocabulary, meaning: str, lengths: str) -> str:
-    """The heading of a column, with its unit."""
-    word = own.in_template.get(meaning, own.columns[meaning][0])
-    word = word[:1].upper() + word[1:]
-    units = UNITS.get(meaning)
-    return f"{word} ({lengths if units is METRES else next(iter(units))})" if units else word
 
 
 def _example(language: str, column: str, value: object, lengths: str) -> object:

@@ -27,8 +27,10 @@ class Vocabulary:
     Attributes:
         language: its code.
         columns: headings of each meaning.
+        weak: headings that have a meaning where no other column of a list has it.
         values: words of cells, by table, one of VALUES, and meaning.
-        rows: "totals", and "all_sizes" of which a title tells the unit.
+        rows: "totals", "all_sizes" of which a title tells the unit, and "own": headings that are
+            like known ones, and no slips in them.
         hints: words or regular expressions of each kind.
         boundaries: whether words have blanks between them.
         explained: what a template says of columns, by their meanings.
@@ -38,6 +40,7 @@ class Vocabulary:
 
     language: str
     columns: Mapping[str, tuple[str, ...]]
+    weak: Mapping[str, tuple[str, ...]]
     values: Mapping[str, Mapping[str, tuple[str, ...]]]
     rows: Mapping[str, tuple[str, ...]]
     hints: Mapping[str, tuple[str, ...]]
@@ -66,6 +69,7 @@ def _read(language: str, text: str) -> Vocabulary:
     return Vocabulary(
         language=language,
         columns=_lists(told["columns"]),
+        weak=_lists(told.get("weak", {})),
         values={name: _lists(told[name]) for name in VALUES},
         rows=_lists(told["rows"]),
         hints=_lists(told["hints"]),
@@ -109,9 +113,18 @@ def headings() -> Mapping[str, str]:
     return {
         heading(word): meaning
         for one in vocabularies()
-        for meaning, words in one.columns.items()
+        for table in (one.weak, one.columns)
+        for meaning, words in table.items()
         for word in words
     }
+
+
+@cache
+def weak_headings() -> frozenset[str]:
+    """Headings that have their meaning where no other column has it."""
+    return frozenset(
+        heading(word) for one in vocabularies() for words in one.weak.values() for word in words
+    )
 
 
 @cache

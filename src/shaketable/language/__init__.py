@@ -43,10 +43,14 @@ _WRITER = _Writer()
 
 @contextmanager
 def speaking(language: Language) -> Iterator[None]:
-    """Everything told within is told in this language."""
+    """Everything told within is told in this language, and an error keeps it as `spoken`."""
     before = _spoken.set(language)
     try:
         yield
+    except Exception as error:
+        if not hasattr(error, "spoken"):
+            error.spoken = language  # type: ignore[attr-defined]
+        raise
     finally:
         _spoken.reset(before)
 

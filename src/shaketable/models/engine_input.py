@@ -81,7 +81,7 @@ def sizes_of(bodies: Sequence[Body], restitution_factor: float) -> NDArray[np.fl
 
     sizes = [
         Size(
-            width=body.width,
+            base=body.base,
             cg_height=body.cg_height,
             left=body.left,
             gyration_radius=body.gyration_radius,

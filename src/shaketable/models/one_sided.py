@@ -91,9 +91,9 @@ def restitution_of(wall: Wall, body: Body, model: Model) -> float:
     """
     if wall.restitution is not None and wall.restitution != SEQUENTIAL:
         return float(wall.restitution)
-    half, h = body.width / 2.0, body.cg_height
+    half, h = body.base / 2.0, body.cg_height
     homogeneous = (half**2 + h**2) / 3.0
-    if abs(body.left - half) > 1e-9 * body.width or (
+    if abs(body.left - half) > 1e-9 * body.base or (
         abs(body.gyration_radius**2 - homogeneous) > HOMOGENEOUS * homogeneous
     ):
         raise InputError(

@@ -60,7 +60,7 @@ def require_surrounded(body: Body, around: Surroundings) -> None:
                 f"{strap.point}"
             )
         x, z = strap.point
-        slack = MARGIN * body.width
+        slack = MARGIN * body.base
         inside = -body.left - slack <= x <= body.right + slack
         if not (inside and 0.0 <= z <= body.whole_height * (1.0 + MARGIN)):
             raise InputError(
@@ -69,10 +69,10 @@ def require_surrounded(body: Body, around: Surroundings) -> None:
                 f"{body.whole_height:g} m high"
             )
         length = math.dist(strap.point, strap.anchor)
-        if not length > strap.pretension / strap.stiffness:
+        if not length > strap.stretch_at_start:
             raise InputError(
                 f"{name}, strap {k}: from its point to its anchor are {length:g} m at the start, "
-                f"which must be more than its stretch of {strap.pretension / strap.stiffness:g} m"
+                f"which must be more than its stretch of {strap.stretch_at_start:g} m"
             )
     if around.edge:
         reach = body.right if side_of(around.edge.azimuth, "edge") > 0.0 else body.left
@@ -138,7 +138,7 @@ def _surround(scene: Any, body: Body, around: Surroundings) -> None:
         x, z = strap.point
         scene["strap"][k, :8] = (
             x, z - body.cg_height, *strap.anchor, strap.stiffness / mass, strap.damping / mass,
-            strap.slack - strap.pretension / strap.stiffness, strap.strength / mass,
+            strap.excess, strap.strength / mass,
         )  # fmt: skip
     if around.edge:
         edge = around.edge

@@ -76,7 +76,7 @@ def plot_room(
         corners = np.array(footprint(thing, room).exterior.coords)
         axes.add_patch(Polygon(corners, fc="#bbbbbb", ec="black", lw=1, zorder=4))
         angle = own_angle(thing, room) + math.pi  # to where its front looks
-        front = thing.item.body.width / 2
+        front = thing.item.body.base / 2
         axes.add_patch(
             FancyArrow(
                 *thing.at, front * math.cos(angle), front * math.sin(angle), width=0.01,

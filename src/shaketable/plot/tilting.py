@@ -64,9 +64,9 @@ def _directions(design: TiltDesign, ax: Axes) -> None:
     fine = np.linspace(0.0, curves.tilts[-1], 200)
     at = np.degrees(fine)
     ax.plot(at, 100 * gcor(fine), color="black", lw=1.2, label="GCOR, any body")
-    specific = scor(fine, body.width, 2 * body.cg_height)
+    specific = scor(fine, body.base, 2 * body.cg_height)
     if np.isfinite(specific).all():
-        beyond = outside_of_scor(body.width, 2 * body.cg_height)
+        beyond = outside_of_scor(body.base, 2 * body.cg_height)
         label = "SCOR, fitted to other bodies" if beyond else "SCOR, by its size"
         ax.plot(at, 100 * specific, "--", color="black", lw=1.2, label=label)
     ax.axhline(100 * design.control, color="0.6", lw=0.8)

@@ -1,8 +1,10 @@
 """Plain columns: one value a line, a time and an acceleration a line, or a CSV file with a header.
 
 In a header, units stand in brackets or at the end of a name: "time_s, acceleration_g",
-"Time (s), East [cm/s²]". The caller has to give what no header says; nothing is guessed. Columns
-that their names or units call velocities or displacements are left out with a warning.
+"Time (s), East [cm/s²]". Lines of a title may stand above it. The caller has to give what no
+header says; nothing is guessed. Columns that their names or units call velocities, displacements
+or magnitudes of a vector are left out with a warning. Numbers may have decimal commas where
+something else separates cells, and Fortran's exponents, 1.5D-3.
 """
 
 from __future__ import annotations
@@ -15,7 +17,12 @@ from numpy.typing import NDArray
 
 from shaketable.errors import quoted
 from shaketable.language import tell
-from shaketable.records.component import Component, names_horizontal, names_vertical
+from shaketable.records.component import (
+    Component,
+    names_horizontal,
+    names_vertical,
+)
+from shaketable.records.gravity import without_gravity
 from shaketable.records.numbers import free, table
 from shaketable.records.stated import require_two
 from shaketable.records.text import NO_TIME_STEP, RecordText
@@ -29,6 +36,12 @@ UNEVEN = 1e-3  # share of a step by which steps may differ, as printed times are
 _COMMENT = ("#", "%", "//")
 _SEPARATORS = str.maketrans(",;", "  ")
 _EMPTY = re.compile(r"(?:^|[,;])\s*[,;]")
+_DECIMAL_COMMA = re.compile(r"(?<=\d),(?=\d)")
+#: Where commas are decimal signs: cells with other separators, or one cell with a leading zero.
+_CELLS_APART = re.compile(r"[;\t]|\d\s+[-+\d]")
+_ONE_CELL = re.compile(r"[-+]?\d+,0\d+")
+_FORTRAN = re.compile(r"(?<=[\d.])[Dd](?=[-+]?\d)")
+TITLES = 20  # lines above a header
 _SPLIT = re.compile(r"[,;\s]+")
 _IN_BRACKETS = re.compile(r"[(\[]([^()\[\]]+)[)\]]")
 _TIME = re.compile(r"t(ime)?\s*(_s|_sec|[(\[]\s*s(ec(onds)?)?\s*[)\]])?$", re.IGNORECASE)
@@ -39,6 +52,10 @@ _OTHER_UNITS = {
     "m/s", "cm/s", "mm/s", "m/sec", "cm/sec", "mm/sec", "m", "cm", "mm", "in", "in/s", "ft", "ft/s",
 }  # fmt: skip
 _OTHER_NAMES = re.compile(r"^(vel|velocity|disp|displ|displacement)(?![a-z])", re.IGNORECASE)
+#: Lengths of a vector; in a building "absolute" and "total" may also be against the relative.
+_LENGTHS = re.compile(
+    r"(?<![a-z])(abs|absolute?|total|magnitude|resultant|norm|betrag)(?![a-z])", re.IGNORECASE
+)
 _QUOTED = re.compile(r'"([^"]*)"')
 _WORDS = re.compile(r"[^\s(\[]+(?:\s*[(\[][^()\[\]]*[)\]])?")  # with their units: "acc (g)"
 _NAME = re.compile(r"[\"'(\[ ]*[^\W\d_]{2}")
@@ -46,7 +63,7 @@ _NAME = re.compile(r"[\"'(\[ ]*[^\W\d_]{2}")
 
 def recognise(text: RecordText) -> bool:
     """Whether the first two lines, comments aside, could be a header and a row of numbers."""
-    rows = [line for _, line in rows_of(text, 2)]
+    rows = [line for _, line in _below_titles(rows_of(text, TITLES + 2))[:2]]
     if not rows or numeric(rows[0]):
         return bool(rows)
     return (
@@ -56,7 +73,14 @@ def recognise(text: RecordText) -> bool:
 
 def read(text: RecordText) -> list[Component]:
     """A component for each column that is neither the time nor another quantity."""
-    rows = rows_of(text)
+    every = rows_of(text)
+    rows = _below_titles(every)
+    if len(rows) < len(every):
+        log.warning(
+            "%s: left out, as a title: %s",
+            text.path,
+            quoted(" ".join(line for _, line in every[: len(every) - len(rows)])),
+        )
     names = [] if numeric(rows[0][1]) else _names(text, *rows.pop(0))
     _require_unbroken(text, rows)
     table, lines = table_of(text, rows, len(names) or None)
@@ -76,7 +100,7 @@ def read(text: RecordText) -> list[Component]:
     series = list(range(1, columns) if timed else range(columns))
     if not series:
         raise text.fault(tell("has a time column and no acceleration"))
-    series = _accelerations(text, names, series)
+    series = _accelerations(text, names, series, table)
     done: tuple[str, ...] = ()
     if time is not None and not _even(text, time, lines):
         even = [resampled(text, time, table[:, k], lines, len(series)) for k in series]
@@ -91,30 +115,63 @@ def read(text: RecordText) -> list[Component]:
     for k in [] if timed else series:
         _require_no_time(text, names[k], table[:, k])
     return [
-        Component(
-            acceleration=column * _factor(text, names[k]),
-            time_step=step,
-            code=code,
-            start=0.0 if time is None else float(time[0]),
-            processing=done,
-            lines=lines,
+        without_gravity(
+            text,
+            Component(
+                acceleration=column * _factor(text, names[k]),
+                time_step=step,
+                code=code,
+                start=0.0 if time is None else float(time[0]),
+                processing=done,
+                lines=lines,
+            ),
         )
         for k, code, column in zip(series, codes, values, strict=True)
     ]
 
 
 def rows_of(text: RecordText, most: int | None = None) -> list[tuple[int, str]]:
-    """(line number, line) of every line, or the first few, that is neither blank nor a comment."""
+    """(line number, line) of every line, or the first few, that is neither blank nor a comment.
+
+    Decimal commas are points in them, and Fortran's exponents E.
+    """
     rows = []
+    comma = False
     for n, line in enumerate(text.lines, 1):
         row = line.strip().rstrip(",;")
         if '"' in row:  # as R and spreadsheets quote names and cells
             row = _QUOTED.sub(r"\1", row)
         if row and not row.startswith(_COMMENT):
+            comma = comma or _has_decimal_commas(row)
+            row = _DECIMAL_COMMA.sub(".", row) if comma else row
+            if _FORTRAN.search(row) and numeric(row, fortran=True):
+                row = _FORTRAN.sub("E", row)
             rows.append((n, row))
             if len(rows) == most:
                 break
     return rows
+
+
+def _has_decimal_commas(row: str) -> bool:
+    """Whether a row of numbers has commas within them: 0,01;0,5 and 0,01 0,5 and 0,000002."""
+    if "." in row or "," not in row:
+        return False
+    apart = _CELLS_APART.search(row) is not None and not re.search(r",\s|\s,|,,", row)
+    return (apart and numeric(_DECIMAL_COMMA.sub(".", row))) or _ONE_CELL.fullmatch(row) is not None
+
+
+def _below_titles(rows: list[tuple[int, str]]) -> list[tuple[int, str]]:
+    """Rows from the header on, where it names a time or a unit and lines of a title are above it.
+
+    All rows if they begin with the header, or with numbers.
+    """
+    at = next((k for k, (_, row) in enumerate(rows[: TITLES + 2]) if numeric(row)), 0)
+    if at < 2:
+        return rows
+    names = header_of(rows[at - 1][1])
+    named = any(_TIME.match(name) or unit_of(name) for name in names)
+    fits = len(names) == len(_SPLIT.split(rows[at][1]))
+    return rows[at - 1 :] if named and fits else rows
 
 
 def _names(text: RecordText, line: int, row: str) -> list[str]:
@@ -146,20 +203,23 @@ def _damaged(name: str) -> bool:
     return "." in name and any(numeric(name[:k] + name[k + 1 :]) for k in range(len(name[:40])))
 
 
-def _accelerations(text: RecordText, names: list[str], series: list[int]) -> list[int]:
+def _accelerations(
+    text: RecordText, names: list[str], series: list[int], table: NDArray[np.float64]
+) -> list[int]:
     """The columns that are no other quantity.
 
     Raises:
         InputError: all of them are.
     """
-    others = [names[k] for k in series if _is_other(names[k])]
+    lengths = {names[k] for k in series if _LENGTHS.search(names[k]) and table[:, k].min() >= 0.0}
+    others = [names[k] for k in series if _is_other(names[k]) or names[k] in lengths]
     if len(others) == len(series):
         raise text.no_acceleration(
             tell("holds {others} but no acceleration", others=", ".join(map(quoted, others)))
         )
     if others:
         log.warning("%s: left out, no accelerations: %s", text.path, ", ".join(map(quoted, others)))
-    return [k for k in series if not _is_other(names[k])]
+    return [k for k in series if names[k] not in others]
 
 
 def _require_no_time(text: RecordText, name: str, values: NDArray[np.float64]) -> None:
@@ -201,10 +261,10 @@ def _require_unbroken(text: RecordText, rows: list[tuple[int, str]]) -> None:
         )
 
 
-def numeric(line: str) -> bool:
-    """Whether all words of a line are numbers."""
+def numeric(line: str, *, fortran: bool = False) -> bool:
+    """Whether all words of a line are numbers, if wanted with Fortran's exponents D."""
     try:
-        [float(word) for word in _SPLIT.split(line)]
+        [float(word) for word in _SPLIT.split(_FORTRAN.sub("E", line) if fortran else line)]
     except ValueError:
         return False
     return True

@@ -18,13 +18,29 @@ UP_CODES = {
 }  # fmt: skip
 DOWN_CODES = {"DOWN", "DWN", "DN"}
 
-_COMPASS = {"N": 0.0, "E": 90.0, "S": 180.0, "W": 270.0}
+_COMPASS = {
+    "N": 0.0, "E": 90.0, "S": 180.0, "W": 270.0,
+    "NORTH": 0.0, "EAST": 90.0, "SOUTH": 180.0, "WEST": 270.0,
+}  # fmt: skip
 _AXES = {"NS": 0.0, "SN": 0.0, "EW": 90.0, "WE": 90.0}
 _QUADRANT = re.compile(r"([NS])\s*(\d+(?:\.\d+)?)\s*([EW])$")
 #: Band, instrument and orientation of a SEED channel that records strong motion.
 _SEED = re.compile(r"[HEB][NLGH]([ZNE])$")
 _BARE = re.compile(r"[-_./\s]")
 _WORDS = re.compile(r"H?[12]|L|T|LO|TR", re.IGNORECASE)
+#: Between the words of a column's name; words of it that say no direction.
+_BETWEEN = re.compile(r"[\s_.\-/]+")
+_QUANTITY = re.compile(
+    r"a|acc|accel|accelerations?|accelerogram|linear|axis|direction|dir|component|comp|"
+    r"beschleunigung|achse|aceleraci[oó]n|accelerazione|eje|asse",
+    re.IGNORECASE,
+)
+#: Both in one word: "az", "accX", "gFz", "linearAccelerationZ" and "ZACC".
+_TOGETHER = re.compile(
+    r"(?:a|gf|\w*acc(?:el(?:eration|erometer)?)?)(x|y|z|ns|ew|ud|up)|"
+    r"(x|y|z|ns|ew|ud|up)acc(?:el(?:eration)?)?",
+    re.IGNORECASE,
+)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -69,17 +85,22 @@ class Component:
 
     def __post_init__(self) -> None:
         if self.azimuth is None:
-            object.__setattr__(self, "azimuth", azimuth_of(self.code))
+            found = azimuth_of(self.code)
+            named = direction_in(self.code)
+            if found is None and not (named.isdigit() or self.is_vertical):
+                found = azimuth_of(named)
+            object.__setattr__(self, "azimuth", found)
 
     @property
     def is_vertical(self) -> bool:
         """Whether the file calls it a vertical component."""
-        return names_vertical(self.code)
+        return names_vertical(self.code) or names_vertical(direction_in(self.code))
 
     @property
     def upward(self) -> float:
         """+1 if the file's vertical component is positive upwards, -1 if positive downwards."""
-        return -1.0 if _bare(self.code) in DOWN_CODES else 1.0
+        names = {_bare(self.code), _bare(direction_in(self.code))}
+        return -1.0 if names & DOWN_CODES else 1.0
 
     @property
     def origin(self) -> Origin:
@@ -103,6 +124,17 @@ def names_vertical(code: str) -> bool:
     bare = _bare(code)
     seed = _SEED.match(bare)
     return bare in UP_CODES | DOWN_CODES or bool(seed and seed.group(1) == "Z")
+
+
+def direction_in(name: str) -> str:
+    """The word of a name that tells its direction: "z" in "acc_z", "az" and "Acceleration z".
+
+    It is the last one, words for the quantity aside; "" without such a word.
+    """
+    words = [each for each in _BETWEEN.split(name.strip()) if not _QUANTITY.fullmatch(each)]
+    last = words[-1] if words else ""
+    together = _TOGETHER.fullmatch(last)
+    return (together[1] or together[2]) if together else last
 
 
 def same_code(a: str, b: str) -> bool:

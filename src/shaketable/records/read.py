@@ -31,14 +31,16 @@ from shaketable.records import (
     columns,
     cosmos,
     csmip,
+    csmnc,
     cwb,
     esm,
     geonet,
     headed_column,
     knet,
-    miniseed,
     nsmn,
+    seismological,
     smc,
+    unam,
     volume1,
 )
 from shaketable.records.archives import is_office, unpacked
@@ -69,7 +71,7 @@ class Format(NamedTuple):
 
 #: In the order in which they are tried, the most specific first.
 FORMATS = [
-    Format("CSMIP/CESMD V1, V2", csmip.recognise, csmip.read),
+    Format("CSMIP/CESMD V1, V2, USC V2", csmip.recognise, csmip.read),
     Format("COSMOS V1, V2", cosmos.recognise, cosmos.read),
     Format("RENADIC, USC V1", volume1.recognise, volume1.read),
     Format("BHRC V1", bhrc.recognise, bhrc.read),
@@ -77,6 +79,8 @@ FORMATS = [
     Format("ESM, ITACA", esm.recognise, esm.read),
     Format("GeoNet V1A, V2A", geonet.recognise, geonet.read),
     Format("USGS SMC", smc.recognise, smc.read),
+    Format("UNAM ASA", unam.recognise, unam.read),
+    Format("CSMNC", csmnc.recognise, csmnc.read),
     Format("NSMN", nsmn.recognise, nsmn.read),
     Format("CWB", cwb.recognise, cwb.read),
     Format("PEER AT2", at2.recognise, at2.read),
@@ -91,8 +95,8 @@ def read_components(
     """Read every acceleration component of a record file, unchanged.
 
     Args:
-        path: a file in one of FORMATS, miniSEED (with ObsPy), or a zip archive of such files,
-            of which those that hold no acceleration are left out with a warning.
+        path: a file in one of FORMATS, miniSEED or SAC (with ObsPy), or a zip archive of such
+            files, of which those that hold no acceleration are left out with a warning.
         units: of acceleration ("g", "m/s2", "cm/s2", "gal"), where the file does not say.
         time_step: [s], where the file does not say; for uneven pairs, the step wanted.
 
@@ -117,8 +121,8 @@ def read_components(
 def _read_file(
     path: Path, raw: bytes, units: str | None, time_step: float | None
 ) -> list[Component]:
-    if miniseed.recognise(raw):
-        components = miniseed.read(path, raw, units)
+    if seismological.recognise(raw):
+        components = seismological.read(path, raw, units)
     else:
         components = _read_text(read_text(path, raw, units, time_step))
     _require_distinct(path, components)
@@ -173,7 +177,18 @@ def _read_text(text: RecordText) -> list[Component]:
         raise
     except (ArithmeticError, LookupError, ValueError) as error:
         raise text.damaged(error) from None
-    accepted = ", ".join([*(candidate.name for candidate in FORMATS), "miniSEED", "zip"])
+    announced = csmip.announced(text)
+    if announced is not None:
+        raise text.fault(
+            tell(
+                "a volume of CSMIP, CESMD, USC or RENADIC in a layout that is not known: no line "
+                "announces its values as '… POINTS OF ACCEL DATA EQUALLY SPACED AT … SEC (UNITS: "
+                "…)' or '… Accelerogram points at … pts/sec in units of …' does, found {found}",
+                found=quoted(text.lines[announced].strip()),
+            ),
+            announced + 1,
+        )
+    accepted = ", ".join([*(candidate.name for candidate in FORMATS), "miniSEED", "SAC", "zip"])
     raise text.no_acceleration(
         tell("unknown record format; accepted: {accepted}", accepted=accepted)
     )

@@ -35,7 +35,7 @@ def vertical_beside(horizontal: Component, read: Reader) -> Component:
     """
     path = horizontal.path
     folder = path.parent
-    if not folder.is_dir():  # a member of an archive
+    while not folder.is_dir():  # a member of an archive, or of one in it
         folder, path = folder.parent, folder
     names = sorted(entry.name for entry in os.scandir(folder) if entry.is_file())
     names = [name for name in names if name != path.name]

@@ -32,6 +32,7 @@ _COUNT = 16  # index among the integers
 _RATE, _EXTREMES = 1, (29, 31)  # indices among the reals; before an extreme stands its time
 _NO_REAL = 1e38
 _FIELD = 10
+_PER_LINE = 8
 _BETWEEN = 0.01  # steps: a time that is stated to seven digits is nearer to a value's time
 
 
@@ -105,12 +106,33 @@ def _even(text: RecordText, at: int, count: int, reals: Numbers) -> _Series:
 
 
 def _uneven(text: RecordText, at: int, count: int) -> _Series:
-    """(time, value) pairs, from index `at` on."""
+    """(time, value) pairs, from index `at` on.
+
+    The header counts pairs, or their numbers; then numbers that fill the last line may follow.
+    """
     found, _ = fixed(text, at, 2 * count, _FIELD, final=True, ragged=True)
-    require_count(text, count, found.values.size // 2, "pairs")
-    time, values = found.values.reshape(-1, 2).T
-    even = resampled(text, time, values, found.lines[1::2])
+    pairs = found.values.size // 2
+    if count % 2 == 0 and _are_numbers(found.values, count):
+        log.warning(
+            "%s: the header's count of %d is taken as one of numbers: %d pairs",
+            text.path,
+            count,
+            count // 2,
+        )
+        pairs = count // 2
+    else:
+        require_count(text, count, pairs, "pairs")
+    time, values = found.values[: 2 * pairs].reshape(-1, 2).T
+    even = resampled(text, time, values, found.lines[1 : 2 * pairs : 2])
     return _Series(even.values, values, even.step, even.lines, float(time[0]), (even.said,))
+
+
+def _are_numbers(found: NDArray[np.float64], count: int) -> bool:
+    """Whether a count is one of numbers: time goes on up to it and, in what fills a line, not."""
+    fill = found[count:]
+    if not 0 <= fill.size <= _PER_LINE or found.size < count:
+        return False
+    return fill.size == 0 or float(fill[0]) <= float(found[count - 2])
 
 
 def _require_extreme(text: RecordText, reals: Numbers, series: _Series, *, timed: bool) -> None:

@@ -25,6 +25,7 @@ _LINE_END = re.compile(r"\r\n|\n|\r")
 _NUMBER = re.compile(NUMBER, re.ASCII)
 _NO_NUMBER = re.compile(r"[-+]?(nan|inf|infinity)", re.IGNORECASE)
 _WHOLE = re.compile(r"\d{1,9}", re.ASCII)
+_COUNTS = re.compile(r"(raw|digital)?\s*(counts?|cnts?|digits?|lsb|dus?)", re.IGNORECASE)
 
 
 #: Kinds of faults that a caller can mend by saying what the file does not.
@@ -50,7 +51,7 @@ class Match(NamedTuple):
     match: re.Match[str]
     line: int
 
-    def word(self, group: int = 1) -> tuple[str, int]:
+    def word(self, group: int | str = 1) -> tuple[str, int]:
         """A group and its line, as `RecordText.number` and others take them."""
         return self.match.group(group), self.line
 
@@ -93,7 +94,21 @@ class RecordText:
         return no_acceleration(self.path, message)
 
     def factor(self, stated: str | None, where: str) -> float:
-        """One unit in m/s², as the file states it; the caller's is for files that do not."""
+        """One unit in m/s², as the file states it; the caller's is for files that do not.
+
+        Raises:
+            NoAccelerationError: it holds a digitizer's raw counts.
+            InputError: the unit is not known, or not stated.
+        """
+        if stated is not None and _COUNTS.fullmatch(stated.strip()):
+            raise self.no_acceleration(
+                tell(
+                    "{where}: holds the raw counts of a digitizer ({found}), which are no "
+                    "accelerations; give the processed file of the same record",
+                    where=where,
+                    found=quoted(stated.strip()),
+                )
+            )
         if stated is None and self.units is None:
             raise self.unsaid(
                 NO_UNIT,
@@ -205,8 +220,8 @@ class RecordText:
         return next((n for n in range(start, stop) if self.lines[n].strip("\x1a\0 ")), None)
 
     def warn_if_cut(self, found: int, recorded: int, what: str = "the format has") -> None:
-        """Warn if a file holds fewer components than were recorded."""
-        if found < recorded:
+        """Warn if a file holds some of the recorded components; many hold one each."""
+        if 1 < found < recorded:
             log.warning(
                 "%s: holds %d of the %d components that %s; was it cut?",
                 self.path,

@@ -16,6 +16,7 @@ from shaketable.records.text import RecordText
 log = logging.getLogger(__name__)
 
 LONGEST_GAP = 10  # median steps: a longer gap is missing data, not uneven digitising
+LONGEST_OF_FILM = 0.05  # s: between points where a trace on film is straight
 MOST_SAMPLES = 1e7  # of a file
 MOST_DOUBLED = 0.1  # of the times: some digitisers print an instant twice, rarely
 EVEN_SHARE = 0.9  # of steps: where so many are even, an uneven one is a hole in the record
@@ -43,6 +44,8 @@ def resampled(
     values: NDArray[np.float64],
     lines: NDArray[np.int32],
     columns: int = 1,
+    *,
+    spliced: bool = False,
 ) -> Even:
     """Values at even steps, linear between the pairs.
 
@@ -54,6 +57,7 @@ def resampled(
         values: shape (n,).
         lines: the line of each pair, (n,).
         columns: how many series of these times there are in the file.
+        spliced: whether pieces of a film may be joined: then a lone short step is no damage.
 
     Raises:
         InputError: times that fall, a gap of more than LONGEST_GAP median steps, an even record
@@ -76,7 +80,7 @@ def resampled(
     if median == 0.0:
         raise text.fault(tell("the time column does not rise"))
     widest = int(np.argmax(steps))
-    if steps[widest] > LONGEST_GAP * median:
+    if steps[widest] > max(LONGEST_GAP * median, LONGEST_OF_FILM):
         raise text.fault(
             tell(
                 "a gap of {gap:g} s, where steps of {median:g} s are usual; data are "
@@ -87,6 +91,8 @@ def resampled(
             int(lines[widest + 1]),
         )
     off = np.abs(steps - median) > 0.5 * median
+    if spliced:
+        off &= ~_lone_short(steps, off)
     if off.any() and np.mean(np.isclose(steps, median, rtol=1e-3)) >= EVEN_SHARE:
         hole = int(np.argmax(off))
         raise text.fault(
@@ -123,6 +129,13 @@ def resampled(
     log.warning("%s: %s", text.path, said)
     before = np.searchsorted(time[keep], even, side="right") - 1
     return Even(np.interp(even, time[keep], values[keep]), step, lines[keep][before], said)
+
+
+def _lone_short(steps: NDArray[np.float64], off: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Which steps are shorter than usual, between steps as usual: where two films are joined."""
+    beside = np.append(off[1:], False) | np.append(False, off[:-1])
+    lone: NDArray[np.bool_] = off & ~beside & (steps < np.median(steps))
+    return lone
 
 
 def rounded(step: float) -> float:

@@ -57,7 +57,10 @@ def read(text: RecordText) -> list[Component]:
 
 
 def _component(text: RecordText, start: int, end: int) -> Component:
-    stop = next((n for n in range(start, end) if _NUMERIC_LINE.match(text.lines[n])), end)
+    # a title may be a number, too
+    units = text.search(_UNITS, start, end)
+    titled = units.line if units else start
+    stop = next((n for n in range(titled, end) if _NUMERIC_LINE.match(text.lines[n])), end)
     stated = text.search(_COUNT, start, stop)
     if stated is None:
         raise text.fault(tell("the header has no NO. OF POINTS"), start + 1)
@@ -82,7 +85,7 @@ def _component(text: RecordText, start: int, end: int) -> Component:
     if np.ptp(steps) < _EVEN:
         step = text.step(float(time[-1] - time[0]) / (pairs - 1))
     else:
-        even = resampled(text, time, series, lines)
+        even = resampled(text, time, series, lines, spliced=True)
         series, step, lines, done = even.values, even.step, even.lines, (even.said,)
     channel = text.search(_CHANNEL, start, stop)
     numbered = channel is not None and channel.match.group(1)

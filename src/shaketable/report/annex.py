@@ -73,14 +73,14 @@ def _about(result: ItemResult, assessment: Assessment) -> str:
         parts.append(
             tell(
                 "{depth:.2f} m deep, {width:.2f} m wide, {height:.2f} m high",
-                depth=item.body.width,
-                width=item.sideways.width,
+                depth=item.body.base,
+                width=item.sideways.base,
                 height=item.height,
             )
         )
     else:
         parts.append(
-            tell("base {base:.2f} m, {height:.2f} m high", base=item.body.width, height=item.height)
+            tell("base {base:.2f} m, {height:.2f} m high", base=item.body.base, height=item.height)
         )
     if item.rolls:
         parts.append(tell("castors locked") if item.castors == "locked" else tell("castors free"))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -11,9 +11,10 @@ import pandas as pd
 
 from shaketable.assess import Assessment
 from shaketable.building import Building
+from shaketable.errors import SimulationError
 from shaketable.hazard.objects import ObjectRates
 from shaketable.hazard.rates import YEARS
-from shaketable.language import Language
+from shaketable.language import Language, tell
 from shaketable.report.earthquake import Quake
 from shaketable.report.page import render
 from shaketable.report.print_pdf import print_pdf
@@ -37,6 +38,8 @@ def write_results(
 ) -> None:
     """Write results.csv, results.parquet, report.html and run.json: all of them or none.
 
+    What is printed or converted comes last, and one that fails takes nothing else with it.
+
     Args:
         assessment: what was found.
         run: what makes the run repeatable.
@@ -52,20 +55,30 @@ def write_results(
             report.es.html.
 
     Raises:
-        InputError: a folder that cannot be written, or no program that prints a PDF.
+        InputError: a folder that cannot be written.
+        SimulationError: the PDF or the Word document could not be made; all else is written.
     """
     with_page = partial(render, assessment, run, building, rates, quake)
+
+    failed: list[str] = []
+
+    def converted(name: str, write: Callable[[], None]) -> None:
+        try:
+            write()
+        except Exception as error:  # what browsers and python-docx raise
+            failed.append(f"{name}: {error}")
 
     def beside(fresh: Path) -> None:
         for language in languages:
             page = with_page(language)
             (fresh / f"report.{language}.html").write_text(page, encoding="utf-8")
         if pdf:
-            print_pdf(fresh / PAGE, fresh / "report.pdf")
+            converted("report.pdf", lambda: print_pdf(fresh / PAGE, fresh / "report.pdf"))
         if docx:
             from shaketable.report.as_docx import write_docx
 
-            write_docx(assessment, run, building, fresh / "report.docx")
+            path = fresh / "report.docx"
+            converted(path.name, lambda: write_docx(assessment, run, building, path))
 
     table = assessment.table if rates is None else _with_rates(assessment, rates)
     write_folder(
@@ -78,6 +91,14 @@ def write_results(
         page_name=PAGE,
         finish=beside,
     )
+    if failed:
+        raise SimulationError(
+            tell(
+                "{failed}; all other results are in {folder}",
+                failed="; ".join(failed),
+                folder=folder,
+            )
+        )
 
 
 def _with_rates(assessment: Assessment, rates: ObjectRates) -> pd.DataFrame:

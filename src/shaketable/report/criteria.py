@@ -82,9 +82,9 @@ def demand_lines(friction: float | None) -> list[str]:
     ]
 
 
-def floor_lines(width: float, height: float, pga: float, pgv: float) -> list[str]:
+def floor_lines(base: float, height: float, pga: float, pgv: float) -> list[str]:
     """The share of rectangles of these full sizes [m] that falls, by the formulas for floors."""
-    numbers = floor_numbers(width, height, pga, pgv)
+    numbers = floor_numbers(base, height, pga, pgv)
     ratio, ours, risk = (numbers[name] for name in ("kaneko_hayashi", "shaketable", "cimellaro"))
     lines = [
         "Share that overturns, if these are a floor's peaks",
@@ -98,14 +98,14 @@ def floor_lines(width: float, height: float, pga: float, pgv: float) -> list[str
     return lines
 
 
-def floor_numbers(width: float, height: float, pga: float, pgv: float) -> dict[str, Any]:
+def floor_numbers(base: float, height: float, pga: float, pgv: float) -> dict[str, Any]:
     """The ratios in [0, 1], and reasons to doubt the last two."""
     return {
-        "kaneko_hayashi": float(overturning_ratio(width, height, pga, pgv)),
-        "shaketable": float(shaketable_2026_floors.overturning_ratio(width, height, pga, pgv)),
-        "shaketable_doubts": shaketable_2026_floors.out_of_range(width, height),
-        "cimellaro": float(cimellaro_2020.overturning_ratio(width / height, pga)),
-        "cimellaro_doubts": cimellaro_2020.out_of_range(width / height, pga),
+        "kaneko_hayashi": float(overturning_ratio(base, height, pga, pgv)),
+        "shaketable": float(shaketable_2026_floors.overturning_ratio(base, height, pga, pgv)),
+        "shaketable_doubts": shaketable_2026_floors.out_of_range(base, height),
+        "cimellaro": float(cimellaro_2020.overturning_ratio(base / height, pga)),
+        "cimellaro_doubts": cimellaro_2020.out_of_range(base / height, pga),
     }
 
 
@@ -138,7 +138,7 @@ def _bottom(
             "before any number above: it is the balance of forces, and no fit. It may slide, and "
             "where a vertical motion takes its weight it rocks earlier."
         ]
-    floor = percent(float(overturning_ratio(body.width, height, pga, pgv)))
+    floor = percent(float(overturning_ratio(body.base, height, pga, pgv)))
     then = (
         f"If these are peaks of a floor of a building, believe Kaneko & Hayashi's {floor} instead: "
         "the verdicts above were made for ground motions, and eq. 9 of Cimellaro et al. knows "
@@ -204,5 +204,5 @@ def as_record(body: Body, pga: float, pgv: float, verdicts: Sequence[Verdict]) -
         "energy_kept": float(
             energy_kept(body.left, body.right, body.cg_height, body.gyration_radius)
         ),
-        "floor": floor_numbers(body.width, 2 * body.cg_height, pga, pgv),
+        "floor": floor_numbers(body.base, 2 * body.cg_height, pga, pgv),
     }

@@ -18,6 +18,7 @@ from shaketable.assess import (
 )
 from shaketable.building import Building
 from shaketable.criteria.overturning import HOUSNER
+from shaketable.errors import named
 from shaketable.hazard.objects import ObjectRates
 from shaketable.hazard.rates import YEARS
 from shaketable.language import Language, number, speaking, spoken, tell, translated
@@ -27,6 +28,8 @@ from shaketable.report.html import pages
 from shaketable.report.words import advice, hazard, headline, method, numbers, straps
 from shaketable.tilting import SLIDES
 from shaketable.units import degrees
+
+MOST_NAMED = 12  # objects in a warning
 
 
 def render(
@@ -85,7 +88,7 @@ def _rendered(
         run=run,
         list_name=PurePath(str(run["inventory"]["path"])).name,
         quake=quake and quake.shown(),
-        warnings=headline.not_as_it_stands(assessment),
+        warnings=[*headline.not_as_it_stands(assessment), *_not_assessed(run)],
         what=headline.what_falls(assessment),
         assumed=headline.assumed(assessment),
         assumed_in_short=headline.assumed_in_short(assessment),
@@ -144,4 +147,17 @@ def _levels(assessment: Assessment, ranked: Sequence[ItemResult]) -> list[dict[s
             "names": [each.item.name for each in ranked[:LEADING]],
         }
         for k, level in enumerate(assessment.levels)
+    ]
+
+
+def _not_assessed(run: Mapping[str, Any]) -> list[str]:
+    """What the list names without its sizes, which nothing here is about."""
+    names = (run.get("inventory") or {}).get("not_assessed") or []
+    if not names:
+        return []
+    return [
+        tell(
+            "Not assessed, as the list does not give their sizes: {names}. They may fall.",
+            names=named(list(names), MOST_NAMED),
+        )
     ]

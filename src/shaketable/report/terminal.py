@@ -28,6 +28,7 @@ from shaketable.report.words import headline
 from shaketable.report.words.advice import first_measure, safe_base
 from shaketable.report.words.carried import often
 from shaketable.report.words.numbers import (
+    counted,
     expected_count,
     in_hundred_short,
     of_pieces,
@@ -39,6 +40,7 @@ from shaketable.units import degrees
 MOST_FIRST = 10  # of a building
 MOST_ROWS = 20
 NAME = 18  # columns at least for a name
+FOLDED = 16  # characters to which a column may be folded
 STYLES = {
     "low": "green",
     FEW_FALLS: "cyan",
@@ -64,19 +66,20 @@ def _short(text: str) -> str:
 def print_columns(path: Path, inventory: Inventory, console: Console) -> None:
     """Print how the columns of an inventory were understood."""
     view = _table()
-    view.add_column("column", overflow="fold")
-    view.add_column("read as", overflow="fold")
-    view.add_column("cells", overflow="fold")
+    view.add_column(tell("column"), overflow="fold")
+    view.add_column(tell("read as"), overflow="fold")
+    view.add_column(tell("cells"), overflow="fold")
     for k, (header, column) in enumerate(inventory.columns):
         if not header:
             continue
         cells = [_short(row[k]) for row in inventory.rows if row[k : k + 1] and row[k]]
-        meaning = column.meaning.replace("_", " ") if column else "not used"
+        meaning = translated(column.meaning.replace("_", " ") if column else "not used")
         unit = ""
         if column and column.unit:
-            unit = f" in {column.unit}{'' if column.stated else ', as no unit is given'}"
+            unit = tell(" in {unit}", unit=column.unit)
+            unit += "" if column.stated else tell(", as no unit is given")
         view.add_row(plain(header), f"{meaning}{unit}", plain(" · ".join(cells[:SAMPLES])))
-    objects = f"{len(inventory.items)} kind{'' if len(inventory.items) == 1 else 's'} of object"
+    objects = counted(len(inventory.items), "kind of object")
     console.print(f"{plain(str(path))}: {objects}, {inventory.kind}", highlight=False)
     console.print(view)
 
@@ -108,12 +111,12 @@ def print_assessment(assessment: Assessment, console: Console, folder: Path, sha
     shown = ordered[: MOST_FIRST if in_building else MOST_ROWS]
     columns, left_out = _fitting(assessment, shown, console.width)
     name = max(len(tell("object")), *(len(printable(result.item.name)) for result in shown))
-    name = min(name, console.width - sum(_width(column, shown) for column in columns) - 1)
+    name = min(name, console.width - sum(columns.values()) - 1)
     view = _table()
     view.add_column(tell("object"), no_wrap=True, width=name)
-    for column in columns:
+    for column, width in columns.items():
         view.add_column(
-            column.header, justify=column.justify, no_wrap=True, width=_width(column, shown) - 1
+            column.header, justify=column.justify, no_wrap=not column.folds, width=width - 1
         )
     for result in shown:
         cells = (f"[{STYLES[result.risk]}]{column.cell(result)}[/]" if column.coloured
@@ -147,6 +150,7 @@ class _Column(NamedTuple):
     cell: Callable[[ItemResult], str]
     justify: Literal["left", "right"] = "right"
     coloured: bool = False
+    folds: bool = False  # whether its texts may take several lines
 
 
 def _columns(assessment: Assessment) -> list[_Column]:
@@ -167,9 +171,9 @@ def _columns(assessment: Assessment) -> list[_Column]:
         _Column(tell("at a\nwall"), "at a wall", tell("at a wall: the same against one"), _walled),
         _Column(tell("objects\nuncertain"), "objects uncertain", tell(
                 "objects uncertain: the same for objects like it"), _uncertain),
-        _Column(tell("risk"), "risk", "", _risk, "left", coloured=True),
         _Column(tell("first measure"), "first measure", "", partial(first_measure,
-                premises=assessment.premises), "left"),
+                premises=assessment.premises), "left", folds=True),
+        _Column(tell("risk"), "risk", "", _risk, "left", coloured=True),
         _Column(tell("floor"), "floor", "", lambda result: plain(result.item.floor), "left"),
         _Column(tell("base\nm"), "base", tell("base: deep enough that at most {limit:g} % fall",
                 limit=100 * ACCEPTED_FALLS), _base),
@@ -196,15 +200,21 @@ def _columns(assessment: Assessment) -> list[_Column]:
 
 def _fitting(
     assessment: Assessment, shown: list[ItemResult], width: int
-) -> tuple[list[_Column], list[_Column]]:
-    """The columns that fit into a width, and the others."""
+) -> tuple[dict[_Column, int], list[_Column]]:
+    """The columns that fit into a width, each with its own, and the others."""
     room = width - NAME - 1
-    fitting: list[_Column] = []
+    fitting: dict[_Column, int] = {}
     left_out: list[_Column] = []
     for column in _columns(assessment):
-        room -= _width(column, shown)
-        (fitting if room >= 0 else left_out).append(column)
-        room = room if room >= 0 else -1  # what is less important is not shown in its place
+        own = _width(column, shown)
+        if column.folds and FOLDED <= room < own:
+            own = room
+        room -= own
+        if room >= 0:
+            fitting[column] = own
+        else:
+            left_out.append(column)
+            room = -1  # what is less important is not shown in its place
     return fitting, left_out
 
 
@@ -235,7 +245,7 @@ def _risk(result: ItemResult) -> str:
 
 
 def _base(result: ItemResult) -> str:
-    width = result.profile.body.width
+    width = result.profile.body.base
     if result.curves is None or result.solid:
         return "-"
     if result.fall.value <= ACCEPTED_FALLS:

@@ -93,7 +93,7 @@ def _turned(design: TiltDesign) -> str:
 
 
 def _fitted_to(body: Body) -> str:
-    return "; fitted to other bodies" if outside_of_scor(body.width, 2 * body.cg_height) else ""
+    return "; fitted to other bodies" if outside_of_scor(body.base, 2 * body.cg_height) else ""
 
 
 def building_lines(
@@ -172,7 +172,7 @@ def warnings_of(body: Body, design: TiltDesign | None, in_plane: bool = True) ->
             "GCOR and SCOR are for shaking across one pair of edges: in three dimensions go by "
             "the simulated tilt alone"
         )
-    beyond = outside_of_scor(body.width, 2 * body.cg_height)
+    beyond = outside_of_scor(body.base, 2 * body.cg_height)
     effect = design.effect if design else None
     if design and effect and effect.falls * (1.0 - design.control) < ENOUGH:
         said.append(
@@ -183,7 +183,7 @@ def warnings_of(body: Body, design: TiltDesign | None, in_plane: bool = True) ->
         said.append(
             f"SCOR was fitted to other bodies ({'; '.join(beyond)}): go by the simulated tilt"
         )
-    if in_plane and not math.isclose(body.left, body.width / 2):
+    if in_plane and not math.isclose(body.left, body.base / 2):
         said.append(
             "GCOR and SCOR take the centre of gravity to be in the middle: go by the simulated tilt"
         )

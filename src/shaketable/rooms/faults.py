@@ -33,11 +33,13 @@ class PlanFault(NamedTuple):
         where: the names of what it is about.
         text: what is wrong, and what to do.
         at: where to draw it.
+        on_page: the same for somebody who draws the plan and sees no file; `text` if empty.
     """
 
     where: str
     text: str
     at: Point
+    on_page: str = ""
 
 
 def faults_of(room: Room) -> list[PlanFault]:
@@ -68,7 +70,8 @@ def _of_doors(room: Room, outline: Polygon) -> Iterator[PlanFault]:
                 "outline",
                 far=far,
             )
-            yield PlanFault(door.name, text, door.at)
+            page = tell("is {far:.2f} m away from the walls: drag it onto one", far=far)
+            yield PlanFault(door.name, text, door.at, page)
             continue
         ends = _ends(door.at, door.width, room)
         if max(outline.exterior.distance(shapely.Point(end)) for end in ends) > ON_WALL:
@@ -78,7 +81,8 @@ def _of_doors(room: Room, outline: Polygon) -> Iterator[PlanFault]:
             yield PlanFault(door.name, text, door.at)
     if not any(door.exit for door in room.doors):
         text = tell("has no exit: give a [[door]] with exit = true")
-        yield PlanFault(room.name, text, _middle(outline))
+        page = tell("has no way out: add a door and tick 'It is a way out'")
+        yield PlanFault(room.name, text, _middle(outline), page)
 
 
 def _of_places(room: Room, outline: Polygon) -> Iterator[PlanFault]:
@@ -95,13 +99,14 @@ def _of_things(room: Room, outline: Polygon) -> Iterator[PlanFault]:
     bases = [footprint(thing, room) for thing in room.things]
     for k, (thing, base) in enumerate(zip(room.things, bases, strict=True)):
         if base.difference(outline).area > OVERLAP:
-            near = walls_near(room, thing)
+            inside = walls_near(room, thing) or base.intersects(outline)
             much = (
                 tell("stands in a wall: move it into the room, or see which way it faces")
-                if near or base.intersects(outline)
+                if inside
                 else tell("stands outside the walls: is at_m in metres?")
             )
-            yield PlanFault(thing.name, much, thing.at)
+            page = tell("stands outside the walls: drag it into the room")
+            yield PlanFault(thing.name, much, thing.at, "" if inside else page)
         if thing.on:
             continue
         for other, its in list(zip(room.things, bases, strict=True))[:k]:
@@ -112,7 +117,12 @@ def _of_things(room: Room, outline: Polygon) -> Iterator[PlanFault]:
                     other=other.name,
                     quoted=other.name,
                 )
-                yield PlanFault(thing.name, text, thing.at)
+                page = tell(
+                    "stands in {other}: move one of them, or choose it under 'Stands on' if it "
+                    "stands on it",
+                    other=other.name,
+                )
+                yield PlanFault(thing.name, text, thing.at, page)
         for place in room.places:
             if place.kind.stands and base.intersection(place_of(place)).area > OVERLAP:
                 text = tell("stands in {other}: move one of them", other=place.name)
@@ -123,7 +133,11 @@ def _of_things(room: Room, outline: Polygon) -> Iterator[PlanFault]:
                     "stands where {door} swings: move it, or say how the door opens (swing, hinge)",
                     door=door.name,
                 )
-                yield PlanFault(thing.name, text, thing.at)
+                page = tell(
+                    "stands where {door} swings: move it, or choose how the door opens",
+                    door=door.name,
+                )
+                yield PlanFault(thing.name, text, thing.at, page)
 
 
 def _ends(at: Point, width: float, room: Room) -> list[Point]:

@@ -10,10 +10,13 @@ import shapely
 from numpy.typing import NDArray
 from shapely.geometry.base import BaseGeometry
 
+from shaketable.errors import InputError
+from shaketable.language import tell
 from shaketable.rooms.room import Room
 from shaketable.rooms.shapes import DOORSTEP, opening_of, outline_of
 
 CELL = 0.05  # m
+MOST_CELLS = 16_000_000  # of 5 cm: 200 m × 200 m
 Cells = NDArray[np.bool_]  # (y, x)
 Some = NDArray[np.intp]  # numbers of cells, row after row
 
@@ -37,10 +40,28 @@ class Grid:
 
     @classmethod
     def of(cls, room: Room, cell: float = CELL) -> Grid:
-        """The cells of a room."""
+        """The cells of a room.
+
+        Raises:
+            InputError: more than MOST_CELLS in the rectangle around it.
+        """
         low = np.min(room.outline, axis=0) - DOORSTEP - cell
         high = np.max(room.outline, axis=0) + DOORSTEP + cell
         counts = [math.ceil((b - a) / cell) for a, b in zip(low, high, strict=True)]
+        if math.prod(counts) > MOST_CELLS:
+            width, depth = np.ptp(np.array(room.outline), axis=0)
+            raise InputError(
+                tell(
+                    "the plan spans {width:.0f} m × {depth:.0f} m, which is {count:,} cells of "
+                    "{cell:g} m; at most {most:,} are taken: give its parts as rooms of their own, "
+                    "or the outline in metres",
+                    width=width,
+                    depth=depth,
+                    count=math.prod(counts),
+                    cell=cell,
+                    most=MOST_CELLS,
+                )
+            )
         x, y = (a + cell * (np.arange(n) + 0.5) for a, n in zip(low, counts, strict=True))
         return cls(
             x,

@@ -7,13 +7,15 @@ so that a program need not know them all. What it does not know is kept as it is
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 from shaketable.inventory.answers import YES_OR_NO
 from shaketable.inventory.columns import ANSWERS, FORCES, LENGTHS, Column, understood
+from shaketable.inventory.numbers import number_in
 from shaketable.rooms.read import OWN, named_door, named_place
 from shaketable.rooms.room import Room
-from shaketable.tables.sheet import Cell
+from shaketable.tables.sheet import Cell, Sheet
 from shaketable.toml_file import is_number
 from shaketable.units import degrees
 
@@ -63,7 +65,10 @@ def _plain(column: Column, key: str, value: Any) -> tuple[str, Any]:
     suffix = SUFFIXES.get(meaning)
     if suffix is None:
         return meaning, value
-    return f"{meaning}_{suffix}", value * column.factor if is_number(value) else value
+    if is_number(value):
+        return f"{meaning}_{suffix}", value * column.factor
+    read = number_in(Sheet(Path(), "", []), Cell(str(value), ""), column)  # as the file is read
+    return f"{meaning}_{suffix}", value if read.fault else read.number
 
 
 def _numbers(table: Mapping[str, Any], room: Room, number: int) -> dict[str, Any]:
@@ -71,9 +76,9 @@ def _numbers(table: Mapping[str, Any], room: Room, number: int) -> dict[str, Any
     item = room.things[number].item
     known = {
         "height_m": item.height,
-        "depth_m": item.body.width,
-        "width_m": item.sideways.width if item.sideways else item.body.width,
-        "diameter_m": item.body.width,
+        "depth_m": item.body.base,
+        "width_m": item.sideways.base if item.sideways else item.body.base,
+        "diameter_m": item.body.base,
         "mass_kg": item.mass,
         "facing_deg": None if item.facing is None else degrees(item.facing),
     }

@@ -41,10 +41,11 @@ import math
 from pathlib import Path
 
 from shaketable.errors import Fault, quoted, refusal
-from shaketable.inventory.columns import columns_of, understood
+from shaketable.inventory.columns import understood
+from shaketable.inventory.header import columns_of
 from shaketable.inventory.item import Item
-from shaketable.inventory.read import warn_of_hints
 from shaketable.inventory.rows import item_of
+from shaketable.inventory.told import warn_of_hints
 from shaketable.language import tell
 from shaketable.rooms.faults import faults_of
 from shaketable.rooms.room import (
@@ -195,14 +196,15 @@ def _item(table: TomlTable) -> Item | None:
     if not cells:
         table.fault("name", tell("is empty; it is needed for every object"))
         return None
-    sheet = Sheet(file.path, "TOML", [header, cells], False)
-    columns, faults = columns_of(sheet, header)
+    sheet = Sheet(file.path, "TOML", [header, cells])
+    columns, faults = columns_of(sheet, header, [cells])
     for head, column in zip(header, columns, strict=True):
         if column is None and not faults:
             faults = [sheet.fault(head, "column", tell("unknown column"), head.text)]
     item = None
     if not faults:
-        faults, item = item_of(sheet, columns, cells, accept_sizes=False)
+        read = item_of(sheet, columns, cells, accept_sizes=False)
+        faults, item = [*read.faults, *read.missing], read.item
     file.faults += faults
     return item
 

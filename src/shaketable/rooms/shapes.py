@@ -35,7 +35,7 @@ def base_of(item: Item) -> Points:
     body, across = item.body, item.sideways or item.body
     if item.shape is BaseShape.CYLINDER:
         angles = 2 * math.pi * (np.arange(ROUND) + 0.5) / ROUND
-        radius = body.width / 2 / math.cos(math.pi / ROUND)  # around the circle, not within it
+        radius = body.base / 2 / math.cos(math.pi / ROUND)  # around the circle, not within it
         return radius * np.column_stack([np.cos(angles), np.sin(angles)])
     x, y = (-body.left, body.right), (-across.right, across.left)
     return np.array([(x[0], y[0]), (x[1], y[0]), (x[1], y[1]), (x[0], y[1])])

@@ -36,20 +36,13 @@ def listed_surroundings(surroundings: Around) -> list[Surroundings | None]:
     return around
 
 
-def warn_of(around: Sequence[Surroundings | None], model: Model, *, solid: bool) -> None:
-    """Log what is weak about some surroundings: walls at gap 0 that give back much, and edges.
+def warn_of(around: Sequence[Surroundings | None], model: Model) -> None:
+    """Log what is weak about some surroundings: walls at gap 0 that give back much.
 
     Args:
         around: of all bodies, or of each.
         model: of the contacts.
-        solid: whether the bodies are Solids.
     """
-    if solid and any(each and each.edge for each in around):
-        log.warning(
-            "an edge is a rule for solids, and no contact yet: one counts as fallen as soon as its "
-            "centre of pressure crosses it, though it may still come back. More fall so than in "
-            "the plane, which follows the tipping"
-        )
     walls = {wall for each in around if each for wall in each.walls if wall.gap == 0.0}
     back = [w.restitution for w in walls if isinstance(w.restitution, float)]
     if model.slides and max(back, default=0.0) > MOST_AT_NO_GAP:
@@ -63,7 +56,7 @@ def warn_of(around: Sequence[Surroundings | None], model: Model, *, solid: bool)
 
 def columns_of(surroundings: Surroundings | None) -> int:
     """How many numbers a run of a solid in such surroundings tells."""
-    from shaketable.physics.space.edge import EDGE
+    from shaketable.physics.space.landing import EDGE
     from shaketable.physics.space.run import SUMMARY
 
     if not surroundings:
@@ -73,7 +66,7 @@ def columns_of(surroundings: Surroundings | None) -> int:
 
 def held_of(found: NDArray[np.float64], surroundings: Surroundings, solid: Solid) -> Held:
     """What surroundings did, by what runs of a solid have found, (run, column)."""
-    from shaketable.physics.space import edge
+    from shaketable.physics.space import landing
     from shaketable.physics.space.run import SUMMARY
 
     straps = len(surroundings.straps)
@@ -87,13 +80,13 @@ def held_of(found: NDArray[np.float64], surroundings: Surroundings, solid: Solid
         return held
     told = found[:, SUMMARY + 1 + 2 * straps :]
     return held._replace(
-        off_edge=told[:, edge.OFF] > 0.5,
-        left_support_at=told[:, edge.LEFT_AT].copy(),
-        landing_time=told[:, edge.LANDING_TIME].copy(),
-        landing_x=told[:, edge.LANDING_X].copy(),
-        landing_y=told[:, edge.LANDING_Y].copy(),
-        landing_speed=told[:, edge.LANDING_SPEED].copy(),
-        landing_rotation=told[:, edge.LANDING_TURN].copy(),
+        off_edge=told[:, landing.OFF] > 0.5,
+        left_support_at=told[:, landing.LEFT_AT].copy(),
+        landing_time=told[:, landing.LANDING_TIME].copy(),
+        landing_x=told[:, landing.LANDING_X].copy(),
+        landing_y=told[:, landing.LANDING_Y].copy(),
+        landing_speed=told[:, landing.LANDING_SPEED].copy(),
+        landing_rotation=told[:, landing.LANDING_TURN].copy(),
     )
 
 

@@ -96,13 +96,13 @@ def simulate_each(
         *(np.broadcast_to(each, count) for each in given.values()),
     )
     model = kind.model_of(model)
-    require_device(device)
+    require_device(device, kind)
     for tilt, azimuth in np.unique(np.column_stack([asked.tilts, asked.azimuths]), axis=0).tolist():
         Support(tilt=tilt, azimuth=azimuth)  # raises InputError for a tilt out of range
     kind.require_standing(asked)
     kind.require_surroundings(asked.bodies, asked.surroundings, model, asked.tilts)
     kind.warn(model, asked.tilts.tolist(), list(dict.fromkeys(asked.motions)))
-    warn_of(around, model, solid=kind.body is Solid)
+    warn_of(around, model)
     found = Results(kind.has(model), count, around)
     tasks = kind.tasks(asked, model, device)
     endings = kinds.run(tasks, count, found.store, 1 if device == CUDA else threads, progress)

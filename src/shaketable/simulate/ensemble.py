@@ -119,7 +119,7 @@ class Ensemble:
             Support(tilt=tilt, azimuth=azimuth)  # raises InputError for a tilt out of range
         kind.require_surroundings(things, around, model, beta)
         kind.warn(model, beta.tolist(), motions)
-        warn_of(around, model, solid=kind.body is Solid)
+        warn_of(around, model)
         return cls(
             bodies=things,
             motions=motions,
@@ -194,7 +194,7 @@ class Ensemble:
 
         Returns how many runs ended in which way, for `warn_of`.
         """
-        require_device(device)
+        require_device(device, self.kind)
         count = int(np.prod(self.shape))
         tasks = self.kind.tasks(self, self.model, device)
         return kinds.run(tasks, count, store, 1 if device == CUDA else threads, progress)

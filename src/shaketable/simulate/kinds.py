@@ -253,12 +253,8 @@ class Space(Kind):
         space.require_stands(*asked.stands_of_solids())
 
     def tasks(self, asked: Members, model: Model, device: str) -> Iterable[Task]:
+        del device  # the processor alone
         assert isinstance(model, General)
-        if device == CUDA:
-            require_nothing_around(asked)
-            from shaketable.simulate.space_on_gpu import launches_of
-
-            return launches_of(model, asked.batches())
         return space.tasks_of(model, asked.batches())
 
 
@@ -286,10 +282,15 @@ def require_nothing_around(asked: Members) -> None:
         raise InputError("surroundings= is not for a GPU; leave device='cuda'")
 
 
-def require_device(device: str) -> None:
-    """InputError unless there are simulations on such a device."""
+def require_device(device: str, kind: Kind) -> None:
+    """InputError unless there are simulations of a kind on such a device."""
     if device not in DEVICES:
         raise InputError(f"unknown device {device!r}; accepted: {', '.join(DEVICES)}")
+    if device == CUDA and kind is SPACE:
+        raise InputError(
+            "device='cuda': solids are simulated on the CPU, which is the faster for them; leave "
+            "the device out"
+        )
 
 
 def run(

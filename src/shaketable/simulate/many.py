@@ -49,7 +49,7 @@ def simulate_many(
             rocking by default; Solids need the general one, their default.
         surroundings: what stands beside Solids and holds them, or the wall that planar bodies rock
             away from: one for all, or a list of one of each; nothing by default.
-        device: "cpu", or "cuda" for a GPU by NVIDIA (extra `gpu`).
+        device: "cpu", or "cuda" for a GPU by NVIDIA (extra `gpu`), of planar bodies.
         progress: True shows a progress bar with the time left on stderr; a function is instead
             told how many more simulations are done.
         threads: all cores by default; the results do not depend on it.

@@ -94,7 +94,7 @@ def simulate(
         raise InputError(f"support must be a Support, such as Support(tilt=0.05); got {support!r}")
     if isinstance(body, Solid):
         around = listed_surroundings([surroundings])
-        warn_of(around, model_for_solids(model), solid=True)
+        warn_of(around, model_for_solids(model))
         if initial_rotation != 0.0:
             raise InputError("initial_rotation is of a planar Body; a Solid begins on its base")
         return simulate_solid(
@@ -113,7 +113,7 @@ def simulate(
         )
     kind_of(body).require_surroundings([body], around, model, np.array([support.tilt]))
     warn(model, [support.tilt], [motion])
-    warn_of(around, model, solid=False)
+    warn_of(around, model)
     run = model.run_one(body, support.tilt, motion, float(initial_rotation), around[0])
     if run.ending is Ending.UNRESOLVED:
         raise SimulationError(f"{body.name or 'the body'} {SENTENCES[run.ending]}")

@@ -114,10 +114,10 @@ def simulate_solid(
 
 
 def last_of(found: RunSummary, held: Held | None) -> float:
-    """When the history of a solid that fell ends [s]: as it left its support, or at its fall."""
+    """When the history of a solid that fell ends [s]; NaN if it hangs on over the edge."""
     if held is not None and held.off_edge is not None and held.off_edge[0]:
-        assert held.left_support_at is not None
-        return float(held.left_support_at[0])
+        assert held.landing_time is not None
+        return float(held.landing_time[0])
     return found.time
 
 

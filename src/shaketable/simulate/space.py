@@ -48,13 +48,6 @@ class SolidBatch(NamedTuple):
     stands: NDArray[np.float64]
     surroundings: Surroundings | None
 
-    def split(self, count: int) -> tuple[SolidBatch, SolidBatch]:
-        """The first so many runs, and the others."""
-        return (
-            self._replace(members=self.members[:count], stands=self.stands[:count]),
-            self._replace(members=self.members[count:], stands=self.stands[count:]),
-        )
-
 
 def tasks_of(model: General, batches: Iterable[SolidBatch]) -> Iterator[Callable[[], Part]]:
     """What is to be done on a processor, the longest motions first.

@@ -35,6 +35,7 @@ LANDING, HOVERING = 3e-9, 3e-6
 STARTING = 1e-9  # m/s²
 MOST_CORNERS_AT_WALLS = 16  # of a base
 PADS_OF_A_CIRCLE = 4
+FLUSH = 1e-9  # m: what is on the edge but for round-off stands on its whole base
 OUTSIDE = 1.0 + 1e-9  # of a size: a strap's point that is farther out is outside the body
 
 
@@ -95,8 +96,6 @@ def shapes_of(
     """
     from shaketable.physics.space.vectors import Sym
     from shaketable.physics.space.workspace import (
-        KINETIC,
-        STATIC,
         SolidParameters,
         make_records,
         make_workspaces,
@@ -120,12 +119,12 @@ def shapes_of(
         side = min(side, math.sqrt(2 * solid.rise * radius))
     workspaces = make_workspaces()
     points = workspaces["points"][0]
-    points[: len(contacts), :2] = contacts
-    points[:, STATIC], points[:, KINETIC] = static, kinetic
+    points["x"][: len(contacts)], points["y"][: len(contacts)] = contacts.T
+    points["static"], points["kinetic"] = static, kinetic
     for k, castor in enumerate(solid.castors):
         if castor:
-            points[k, STATIC:] = solid.rolling_resistance
-    frictions = points[: len(contacts), STATIC]
+            points["static"][k] = points["kinetic"][k] = solid.rolling_resistance
+    frictions = points["static"][: len(contacts)]
     inverse = np.asarray(np.linalg.inv(solid.inertia), np.float64)
     shape = SolidParameters(
         h=solid.cg_height,
@@ -150,63 +149,57 @@ def shapes_of(
         straps=_write_straps(solid, surroundings, workspaces),
         walls=_write_walls(surroundings, workspaces),
         outline=_write_outline(solid, surroundings, workspaces),
-        **_edge_of(surroundings),
+        size=_size_of(solid, reach),
+        **_write_edge(surroundings, workspaces),
         **_pads_of(solid, surroundings),
     )
-    alone = shape._replace(straps=0, walls=0, outline=0, glue=0.0)
+    alone = shape._replace(straps=0, walls=0, glue=0.0)
     held = shape.straps + shape.walls > 0
     return make_records(shape, alone) if held else make_records(shape), workspaces
 
 
 def _write_straps(solid: Solid, surroundings: Surroundings | None, workspaces: Workspaces) -> int:
     """Write the straps of a solid into its workspace; returns how many there are."""
-    from shaketable.physics.space.workspace import (
-        ANCHOR,
-        ARM,
-        DAMPING,
-        SLACK,
-        STIFFNESS,
-        STRENGTH,
-    )
-
     straps = surroundings.straps if surroundings else ()
     mass = solid.mass or math.nan
     for k, strap in enumerate(straps):
         row = workspaces["straps"][0, k]
-        row[ARM : ARM + 3] = strap.point
-        row[ARM + 2] -= solid.cg_height
-        row[ANCHOR : ANCHOR + 3] = strap.anchor
-        row[STIFFNESS], row[DAMPING] = strap.stiffness / mass, strap.damping / mass
-        row[SLACK] = strap.slack - strap.pretension / strap.stiffness
-        row[STRENGTH] = strap.strength / mass
+        x, y, z = strap.point
+        row["arm"], row["anchor"] = (x, y, z - solid.cg_height), strap.anchor
+        row["stiffness"], row["damping"] = strap.stiffness / mass, strap.damping / mass
+        row["slack"] = strap.excess
+        row["strength"] = strap.strength / mass
     return len(straps)
 
 
 def _write_walls(surroundings: Surroundings | None, workspaces: Workspaces) -> int:
     """Write the walls beside a solid into its workspace; returns how many there are."""
-    from shaketable.physics.space.workspace import (
-        FREE_GAP,
-        FRICTION,
-        RESTITUTION,
-        TOWARD,
-        VERTICAL,
-    )
-
     walls = surroundings.walls if surroundings else ()
     for k, wall in enumerate(walls, 1):
         row = workspaces["planes"][0, k]
-        row[TOWARD], row[FREE_GAP], row[VERTICAL] = wall.azimuth, wall.gap, wall.vertical
-        row[FRICTION], row[RESTITUTION] = wall.friction, wall.restitution or 0.0
+        row["toward"], row["free_gap"], row["vertical"] = wall.azimuth, wall.gap, wall.vertical
+        row["friction"], row["restitution"] = wall.friction, wall.restitution or 0.0
     return len(walls)
 
 
-def _edge_of(surroundings: Surroundings | None) -> dict[str, float]:
-    """The numbers of the edge of a support."""
+def _size_of(solid: Solid, reach: float) -> float:
+    """No point of a solid is farther from its centre of gravity than this [m]."""
+    over = (solid.height or 0.0) - solid.cg_height
+    return OUTSIDE * math.hypot(reach, max(solid.cg_height, over))
+
+
+def _write_edge(surroundings: Surroundings | None, workspaces: Workspaces) -> dict[str, float]:
+    """Write what the edge of a support is like into a workspace; returns where it is."""
     edge = surroundings.edge if surroundings else None
+    if edge:
+        walls = len(surroundings.walls) if surroundings else 0
+        for row in workspaces["planes"][0, walls + 1 : walls + 3]:  # the lip's face and the line
+            row["friction"], row["restitution"] = edge.friction, edge.restitution
     return {
         "edge_x": math.cos(edge.azimuth) if edge else 0.0,
         "edge_y": math.sin(edge.azimuth) if edge else 0.0,
-        "edge_at": edge.at if edge else math.inf,
+        "edge_at": edge.at + FLUSH if edge else math.inf,
+        "lip": edge.lip if edge else 0.0,
         "drop": edge.drop if edge else 0.0,
     }
 
@@ -225,12 +218,12 @@ def _pads_of(solid: Solid, surroundings: Surroundings | None) -> dict[str, float
 
 
 def _write_outline(solid: Solid, surroundings: Surroundings | None, workspaces: Workspaces) -> int:
-    """Write the points that walls may touch; returns how many there are.
+    """Write the points that walls and an edge may touch; returns how many there are.
 
     They are the lower and the upper corners over the base or the hull of the feet, or the centres
     of the lower and the upper rim.
     """
-    if not (surroundings and surroundings.walls):
+    if not (surroundings and (surroundings.walls or surroundings.edge)):
         return 0
     low, high = solid.rise - solid.cg_height, (solid.height or 0.0) - solid.cg_height
     at = np.zeros((1, 2)) if solid.diameter is not None else solid.corners
@@ -249,10 +242,6 @@ def require_surrounded(solid: Solid, surroundings: Surroundings | None, orientat
     """
     told = f"solid {solid.name or repr(solid)}"
     edge = surroundings.edge if surroundings else None
-    if edge and edge.lip > 0.0:
-        raise InputError(
-            f"{told}: lips are of planar bodies so far: give a Body under General(...)"
-        )
     if surroundings and surroundings.pad and solid.mass is None:
         raise InputError(f"{told}: a pull-off force in N needs a mass; give mass= [kg]")
     if edge:
@@ -262,6 +251,8 @@ def require_surrounded(solid: Solid, surroundings: Surroundings | None, orientat
                 f"{told}: its base reaches {reach:g} m from the foot of the centre of gravity, "
                 f"beyond the edge of the support at {edge.at:g} m"
             )
+    if edge and len(solid.corners) > MOST_CORNERS_AT_WALLS:
+        raise InputError(_too_many_corners(told, "near an edge", solid))
     for k, wall in enumerate(surroundings.walls if surroundings else (), 1):
         told = f"solid {solid.name or repr(solid)}, wall {k}"
         if isinstance(wall.restitution, str):
@@ -270,10 +261,7 @@ def require_surrounded(solid: Solid, surroundings: Surroundings | None, orientat
                 "plane; give a number from 0 to 1"
             )
         if len(solid.corners) > MOST_CORNERS_AT_WALLS:
-            raise InputError(
-                f"{told}: a solid beside a wall has at most {MOST_CORNERS_AT_WALLS} corners, got "
-                f"{len(solid.corners)}; Solid.cylinder rolls on its rim"
-            )
+            raise InputError(_too_many_corners(told, "beside a wall", solid))
     for k, strap in enumerate(surroundings.straps if surroundings else (), 1):
         told = f"solid {solid.name or repr(solid)}, strap {k}"
         if solid.mass is None:
@@ -300,11 +288,18 @@ def require_surrounded(solid: Solid, surroundings: Surroundings | None, orientat
         cosine, sine = math.cos(orientation), math.sin(orientation)
         start = np.array([cosine * x - sine * y, sine * x + cosine * y, z])
         length = float(np.linalg.norm(np.array(strap.anchor) - start))
-        if not length > strap.pretension / strap.stiffness:
+        if not length > strap.stretch_at_start:
             raise InputError(
                 f"{told}: from its point to its anchor are {length:g} m at the start, which must "
-                f"be more than its stretch of {strap.pretension / strap.stiffness:g} m"
+                f"be more than its stretch of {strap.stretch_at_start:g} m"
             )
+
+
+def _too_many_corners(told: str, where: str, solid: Solid) -> str:
+    return (
+        f"{told}: a solid {where} has at most {MOST_CORNERS_AT_WALLS} corners, got "
+        f"{len(solid.corners)}; Solid.cylinder rolls on its rim"
+    )
 
 
 def _thresholds(reach: float, side: float) -> Thresholds:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from pathlib import Path
 
 from shaketable.errors import quoted, refusal, refused
@@ -11,8 +11,8 @@ from shaketable.language import tell
 from shaketable.tables import text_table, workbook
 from shaketable.tables.decimals import with_a_point
 from shaketable.tables.faults import condensed
-from shaketable.tables.sheet import Cell, Sheet
-from shaketable.tables.workbook import IsHeader, SheetChoiceError
+from shaketable.tables.sheet import Cell, IsHeader, Sheet
+from shaketable.tables.workbook import SheetChoiceError
 
 __all__ = [
     "Cell",
@@ -33,6 +33,7 @@ def read_sheet(
     sheet: str | None = None,
     strict: bool = True,
     known: Collection[str] = (),
+    numbers: Sequence[int] = (),
 ) -> Sheet:
     """The table of a file, from its first row on.
 
@@ -40,11 +41,13 @@ def read_sheet(
         path: of the file.
         wanted: the name of the sheet to read, where a workbook holds several.
         is_header: tells from a row's texts whether it names the columns that are looked for; it
-            chooses between the sheets of a workbook where none has that name.
+            chooses between the sheets of a workbook where none has that name, and between encodings
+            of a text.
         sheet: the name of the sheet to read, whatever the others hold.
         strict: whether a cell that cannot be used, such as an error, is one of the file, also
             where nothing reads it.
         known: names, in lower case, of sheets of a workbook that hold something else.
+        numbers: of the rows below the first of a text in the file from which it was made.
 
     Raises:
         SheetChoiceError: several sheets may be meant.
@@ -58,4 +61,4 @@ def read_sheet(
         return found
     if sheet is not None:
         raise refused(path, tell("is a text, which has no sheet {sheet}", sheet=quoted(sheet)))
-    return text_table.read(path, raw)
+    return text_table.read(path, raw, is_header, numbers)

@@ -13,23 +13,26 @@ _POINTS_AND_COMMA = re.compile(r"\d{1,3}(\.\d{3})+,\d+")
 _COMMAS_AND_POINT = re.compile(r"\d{1,3}(,\d{3})+\.\d+")
 
 
-def with_a_point(sheet: Sheet, text: str) -> tuple[str, str]:
-    """A number's text with a decimal point, or what is wrong with it."""
+def with_a_point(sheet: Sheet, text: str, decimal: str = "") -> tuple[str, str]:
+    """A number's text with a decimal point, or what is wrong with it.
+
+    Args:
+        sheet: where it stands.
+        text: of the number.
+        decimal: the sign that other numbers beside it tell: "." or ","; anything else for one of
+            which they leave a doubt, "" where they say nothing.
+    """
     if _POINTS_AND_COMMA.fullmatch(text):
         return text.replace(".", "").replace(",", "."), ""
     if _COMMAS_AND_POINT.fullmatch(text):
         return text.replace(",", ""), ""
     comma = bool(_COMMA.fullmatch(text))
-    if comma and not sheet.decimal_comma:
-        return text, tell(
-            "found {found}: commas separate cells here; write a point, or separate cells by "
-            "semicolons",
-            found=quoted(text),
-        )
     if THOUSANDS.fullmatch(text):
         sign = "," if comma else "."
+        if decimal in (".", ","):
+            return text.replace(sign, "." if sign == decimal else ""), ""
         usual = sheet.decimal_signs
-        if (comma and usual != {","}) or (not comma and "," in usual):
+        if decimal or (comma and usual != {","}) or (not comma and "," in usual):
             one, many = text.replace(sign, "."), text.replace(sign, "")
             message = tell(
                 "found {found}, which may be {one:g} or {many}; write it without a {sign}, or with "

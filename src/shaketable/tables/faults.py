@@ -21,8 +21,8 @@ def condensed(faults: Iterable[Fault]) -> list[Fault]:
     """
     by_text: dict[tuple[object, str, str, str], list[Fault]] = {}
     for fault in faults:
-        said = f"{fault.text}; {fault.mend}"
-        by_text.setdefault((fault.path, fault.kind, fault.column, said), []).append(fault)
+        cause = (fault.path, fault.kind, fault.column, fault.said)
+        by_text.setdefault(cause, []).append(fault)
     by_cause: dict[tuple[object, str, str], list[list[Fault]]] = {}
     for (path, kind, column, _), some in by_text.items():
         by_cause.setdefault((path, kind, column), []).append(some)
@@ -32,6 +32,7 @@ def condensed(faults: Iterable[Fault]) -> list[Fault]:
         found += [some[0]._replace(where=places([each.where for each in some])) for some in shown]
         if rest:
             text = tell("the same there, {count:,} times", count=len(rest))
+            text = tell("the same there") if len(rest) == 1 else text
             found.append(rest[0]._replace(where=places([each.where for each in rest]), text=text))
     return found
 

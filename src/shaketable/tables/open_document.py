@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 import zipfile
 from pathlib import Path
 from typing import NamedTuple
@@ -15,15 +16,20 @@ _OFFICE = "{urn:oasis:names:tc:opendocument:xmlns:office:1.0}"
 _CALC = "{urn:org:documentfoundation:names:experimental:calc:xmlns:calcext:1.0}"
 
 
+MOST_REPEATED = 1000
+_BEHIND = re.compile(r"\d\s*([^\W\d_]+\.?|['\"])$")
+
+
 class Remark(NamedTuple):
     """Something about a cell, counted from 1, or about a whole row where `column` is 0."""
 
     sheet: str
     row: int
     column: int
-    kind: str  # "error", "formula", "merged" or "hidden"
+    kind: str  # "error", "formula", "merged", "hidden" or "unit"
     rows: int = 1  # that are merged
     columns: int = 1
+    text: str = ""  # of the unit that a number's format shows
 
 
 def remarks(path: Path, raw: bytes) -> list[Remark]:
@@ -76,8 +82,22 @@ def _of_row(sheet: str, number: int, row: Element) -> list[Remark]:
                 int(cell.get(f"{_TABLE}number-{what}-spanned", 1)) for what in ("rows", "columns")
             )
             found.append(Remark(sheet, number, column, kind, rows, columns))
-        column += int(cell.get(f"{_TABLE}number-columns-repeated", 1))
+        repeated = int(cell.get(f"{_TABLE}number-columns-repeated", 1))
+        if unit := _unit_of(cell):
+            found += [
+                Remark(sheet, number, column + k, "unit", text=unit)
+                for k in range(min(repeated, MOST_REPEATED))
+            ]
+        column += repeated
     return found
+
+
+def _unit_of(cell: Element) -> str:
+    """The word that is shown behind a number, "" if none is."""
+    if cell.get(f"{_OFFICE}value-type") != "float":
+        return ""
+    shown = _BEHIND.search("".join(cell.itertext()).strip())
+    return shown[1] if shown else ""
 
 
 def _kind_of(cell: Element) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -24,6 +24,10 @@ THOUSANDS = re.compile(r"[1-9]\d{0,2}([.,])\d{3}(\1\d{3})*")
 _WITH_DECIMALS = re.compile(r"[-+]?\d*([.,])\d+")
 
 
+#: Tells from a row's texts whether it names the columns that are looked for.
+IsHeader = Callable[[Iterable[str]], bool]
+
+
 class Cell(NamedTuple):
     """A cell of a table."""
 
@@ -33,6 +37,8 @@ class Cell(NamedTuple):
     typed: bool = False  # whether the file holds a number, not its text
     wrong: str = ""  # why it cannot be used, such as a formula without a value
     shared: bool = False  # whether it is merged over several rows
+    wide: bool = False  # whether it is merged over several columns
+    unit: str = ""  # that the number's format shows beside it
 
 
 @dataclass(frozen=True)
@@ -43,7 +49,6 @@ class Sheet:
         path: the file.
         kind: what it was read as, in words.
         rows: cells of each row; a row may be shorter than others.
-        decimal_comma: whether a comma in a number is a decimal sign.
         name: of the sheet in a workbook, "" of a text.
         sheets: names of all that hold anything; none of a text.
     """
@@ -51,7 +56,6 @@ class Sheet:
     path: Path
     kind: str
     rows: list[list[Cell]]
-    decimal_comma: bool
     name: str = ""
     sheets: tuple[str, ...] = ()
 

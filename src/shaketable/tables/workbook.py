@@ -5,10 +5,12 @@ from __future__ import annotations
 import datetime as dt
 import io
 import logging
+import re
 import warnings
 import zipfile
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import partial
+from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +18,14 @@ from shaketable.errors import Fault, InputError, named, quoted, refusal, refused
 from shaketable.language import tell, translated
 from shaketable.tables.open_document import Remark, remarks
 from shaketable.tables.packed import require_elements, require_size
-from shaketable.tables.sheet import HEADER_WITHIN, Cell, Sheet, require_cells, require_few
+from shaketable.tables.sheet import (
+    HEADER_WITHIN,
+    Cell,
+    IsHeader,
+    Sheet,
+    require_cells,
+    require_few,
+)
 
 if TYPE_CHECKING:
     from openpyxl.worksheet.worksheet import Worksheet
@@ -31,6 +40,10 @@ REMARKS = {
 EXPLAINED = "columns"  # of a template
 HIDDEN = "hidden cells are read like others: {cells}"
 MOST_NAMED = 10
+#: Parts of a number format that show nothing, and what stands for digits.
+_SILENT = re.compile(r"\[[^\]]*\]|_.|\*.")
+_DIGITS = re.compile(r"[#0?](?:[#0?,. /]*[#0?])?|general", re.IGNORECASE)
+_LITERAL = re.compile(r'"([^"]*)"|\\(.)|([\'\s])')
 _OPEN_DOCUMENT = b"mimetypeapplication/vnd.oasis.opendocument.spreadsheet"
 
 
@@ -44,8 +57,6 @@ class SheetChoiceError(InputError):
     sheets: tuple[str, ...] = ()
 
 
-#: Tells from a row's texts whether it names the columns that are looked for.
-IsHeader = Callable[[Iterable[str]], bool]
 #: The name of the sheet to read, of all that hold anything.
 Choose = Callable[[Mapping[str, Sequence[Sequence[object]]]], str]
 
@@ -116,19 +127,12 @@ def _excel(path: Path, raw: bytes, choose: Choose) -> Sheet:
     tables = {one.title: list(one.iter_rows(values_only=True)) for one in filled}
     sheet = values[choose(tables)]
     require_few(path, sheet.max_row, sheet.max_column)
+    ranges = sheet.merged_cells.ranges
     merged = {
-        (row, column): sheet.cell(one.min_row, one.min_col)
-        for one in sheet.merged_cells.ranges
-        for row in range(one.min_row, one.max_row + 1)
-        for column in range(one.min_col, one.max_col + 1)
+        place: sheet.cell(one.min_row, one.min_col) for one in ranges for place in _places(one)
     }
-    tall = {
-        (row, column)
-        for one in sheet.merged_cells.ranges
-        if one.max_row > one.min_row
-        for row in range(one.min_row, one.max_row + 1)
-        for column in range(one.min_col, one.max_col + 1)
-    }
+    tall = {place for one in ranges if one.max_row > one.min_row for place in _places(one)}
+    broad = {place for one in ranges if one.max_col > one.min_col for place in _places(one)}
     hidden = [
         *(
             tell("column {name}", name=name)
@@ -152,14 +156,25 @@ def _excel(path: Path, raw: bytes, choose: Choose) -> Sheet:
         for place, one in enumerate(row, 1):
             first = merged.get((number, place), one)
             cell = _cell(f"{word} {one.coordinate}", number, first.value)
-            cell = cell._replace(shared=(number, place) in tall)
+            cell = cell._replace(
+                shared=(number, place) in tall,
+                wide=(number, place) in broad,
+                unit=_unit_shown(first.number_format) if cell.typed else "",
+            )
             formula = typed[first.coordinate].value
             if first.value is None and isinstance(formula, str) and formula.startswith("="):
                 cell = cell._replace(wrong=translated(REMARKS["formula"]))
             cells.append(cell)
         rows.append(cells)
     kind = f"spreadsheet, sheet {quoted(sheet.title)}"
-    return Sheet(path, kind, rows, decimal_comma=True, name=sheet.title, sheets=tuple(tables))
+    return Sheet(path, kind, rows, name=sheet.title, sheets=tuple(tables))
+
+
+def _places(merged: Any) -> Iterator[tuple[int, int]]:
+    """Row and column of each of some merged cells."""
+    return product(
+        range(merged.min_row, merged.max_row + 1), range(merged.min_col, merged.max_col + 1)
+    )
 
 
 def _values(sheet: Worksheet) -> Any:
@@ -192,12 +207,15 @@ def _open_document(path: Path, raw: bytes, choose: Choose) -> Sheet:
     word = translated("cell")
     wrong: dict[tuple[int, int], str] = {}
     tall: set[tuple[int, int]] = set()
+    shown: dict[tuple[int, int], str] = {}
     for one in (each for each in noted if each.sheet == name):
         if one.kind == "hidden":
             row_number = tell("row {number}", number=one.row)
             log.warning(remark(path, tell(HIDDEN, cells=row_number)))
         elif one.kind == "merged":
             tall |= _fill(table, one)
+        elif one.kind == "unit":
+            shown[one.row, one.column] = one.text
         else:
             wrong[one.row, one.column] = translated(REMARKS[one.kind])
     rows = []
@@ -208,12 +226,16 @@ def _open_document(path: Path, raw: bytes, choose: Choose) -> Sheet:
         ]
         rows.append(
             [
-                cell._replace(wrong=wrong.get((number, k), cell.wrong), shared=(number, k) in tall)
+                cell._replace(
+                    wrong=wrong.get((number, k), cell.wrong),
+                    shared=(number, k) in tall,
+                    unit=shown.get((number, k), "") if cell.typed else "",
+                )
                 for k, cell in enumerate(cells, 1)
             ]
         )
     kind = f"spreadsheet, sheet {quoted(name)}"
-    return Sheet(path, kind, rows, decimal_comma=True, name=name, sheets=tuple(filled))
+    return Sheet(path, kind, rows, name=name, sheets=tuple(filled))
 
 
 def _fill(table: list[list[Any]], merged: Remark) -> set[tuple[int, int]]:
@@ -263,7 +285,7 @@ def _only(
     if len(tables) == 1:
         return next(iter(tables))
     if called:
-        _tell_others(path, tables, called[0], known)
+        _require_largest(path, tables, called[0], known)
         return called[0]
     usable = {
         name: below
@@ -281,24 +303,66 @@ def _only(
                 likely=quoted(most),
                 rows=usable[most],
             )
-        mend = tell(
-            "name it by --sheet, or in a file {file} as sheet = {example}, or save it alone",
-            file=quoted(f"{path.name}.columns.toml"),
-            example='"…"',
-        )
-        error = refusal([Fault(path, "", "", "sheet", text, mend)], SheetChoiceError)
-        error.sheets = tuple(tables)
-        raise error
+        raise _choice(path, tables, text)
     (name,) = usable
-    _tell_others(path, tables, name, known)
+    _require_largest(path, tables, name, known)
     return name
+
+
+def _choice(path: Path, tables: Mapping[str, object], text: str) -> SheetChoiceError:
+    """The error that asks for a sheet."""
+    mend = tell(
+        "name it by --sheet, or in a file {file} as sheet = {example}, or save it alone",
+        file=quoted(f"{path.name}.columns.toml"),
+        example='"…"',
+    )
+    error = refusal([Fault(path, "", "", "sheet", text, mend)], SheetChoiceError)
+    error.sheets = tuple(tables)
+    return error
+
+
+def _require_largest(
+    path: Path, tables: Mapping[str, Sequence[Sequence[object]]], name: str, known: Collection[str]
+) -> None:
+    """Warn of the sheets that are not read, and ask where one of them holds as many rows.
+
+    Raises:
+        SheetChoiceError: a sheet that is left out holds at least as many rows as the one that is
+            read: it may be the list, under headings that are not known.
+    """
+    rows = {each: _rows_of_cells(table) for each, table in tables.items()}
+    larger = [
+        each
+        for each, count in rows.items()
+        if each != name and each.strip().lower() not in known and count >= rows[name]
+    ]
+    if larger:
+        text = tell(
+            "only {read} names columns that are known, in {rows:,} rows, and {left} holds "
+            "{more:,}: which of them is the list?",
+            read=quoted(name),
+            rows=rows[name],
+            left=quoted(larger[0]),
+            more=rows[larger[0]],
+        )
+        raise _choice(path, tables, text)
+    _tell_others(path, tables, name, known)
+
+
+def _rows_of_cells(rows: Sequence[Sequence[object]]) -> int:
+    """How many rows hold two cells or more: a table's, not a note's."""
+    return sum(sum(cell not in (None, "") for cell in row) > 1 for row in rows)
 
 
 def _rows_below_header(rows: Sequence[Sequence[object]], is_header: IsHeader) -> int | None:
     """Rows with text below a header that is among the first; None if there is none."""
-    for k, row in enumerate(rows[:HEADER_WITHIN], 1):
-        if is_header(map(str, row)):
-            return sum(any(cell not in (None, "") for cell in each) for each in rows[k:])
+    texts = [[_text(cell) for cell in row] for row in rows[: HEADER_WITHIN + 1]]
+    for k, row in enumerate(texts[:HEADER_WITHIN], 1):
+        below = texts[k] if k < len(texts) else []
+        alone = is_header(row)
+        both = not alone and not is_header(below) and is_header([*row, *below])
+        if alone or both:
+            return sum(any(cell not in (None, "") for cell in each) for each in rows[k + both :])
     return None
 
 
@@ -325,6 +389,17 @@ def _cell(where: str, row: int, value: object) -> Cell:
     elif text.startswith("#") and text.rstrip("!?").isupper() and text.endswith(("!", "?", "/A")):
         wrong = tell("holds the error {text}", text=text)
     return Cell(text, where, row, number, wrong)
+
+
+def _unit_shown(number_format: str) -> str:
+    """The word that a format shows behind a number: ft of '0.0" ft"', "" of any other."""
+    first = _SILENT.sub("", (number_format or "").split(";")[0])
+    numbers = list(_DIGITS.finditer(first))
+    if not numbers:
+        return ""
+    behind = first[numbers[-1].end() :]
+    shown = "".join(each[1] or each[2] or each[3] or "" for each in _LITERAL.finditer(behind))
+    return shown.strip()
 
 
 def _text(value: object) -> str:

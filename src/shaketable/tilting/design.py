@@ -165,7 +165,7 @@ def design_tilt(
         motion_count=len(motions),
         turns=stand.turns,
         gcor_tilt=tilt_for(control, C1),
-        scor_tilt=tilt_for(control, scor_c1(section.width, 2 * section.cg_height)),
+        scor_tilt=tilt_for(control, scor_c1(section.base, 2 * section.cg_height)),
         curves=curves,
         level=level,
         effect=found,
@@ -247,7 +247,7 @@ def effect_of(stand: TiltedBody, tilt: float, *, seed: int, progress: Progress) 
         likelier_interval=ends(likelier[1:]),
         straight_share=_straight(counts, float(shares[0])),
         gcor=float(gcor(tilt)),
-        scor=float(scor(tilt, body.width, 2 * body.cg_height)),
+        scor=float(scor(tilt, body.base, 2 * body.cg_height)),
         slides_share=stand.slides(tilt) if trial.model.slides else np.nan,
     )
 

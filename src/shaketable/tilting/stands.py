@@ -89,7 +89,7 @@ class SolidStand:
         # a round or square base has its centre in the middle: no round-off may tell otherwise
         right = left if math.isclose(left, right, rel_tol=1e-12) else right
         return Body(
-            width=left + right, cg_height=h, left=left, gyration_radius=radius, name=solid.name
+            base=left + right, cg_height=h, left=left, gyration_radius=radius, name=solid.name
         )
 
     def count(self, tilts: NDArray[np.float64], progress: Progress) -> TiltCounts:

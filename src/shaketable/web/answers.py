@@ -22,7 +22,7 @@ class Frames(BaseModel):
 
 
 class FramesInSpace(BaseModel):
-    """A film in three dimensions, 60 pictures a second; x to the right, y back, z up."""
+    """A film in three dimensions, 60 pictures a second; x to the back, y to the left, z up."""
 
     quaternion: list[tuple[float, float, float, float]] = Field(
         description="turn of the object relative to the support, scalar last"
@@ -81,7 +81,7 @@ class ShakenInSpace(Surrounded):
     )
     moving: bool = Field(description="it had neither fallen nor come to rest at the end")
     time_s: float | None = Field(description="of the fall")
-    fall_azimuth_deg: float | None = Field(description="of the fall, from the right to the back")
+    fall_azimuth_deg: float | None = Field(description="of the fall, from the back to the left")
     peak_deg: float = Field(description="largest angle of its axis with the support's normal")
     tips_at_deg: float = Field(description="from which it can fall on a still floor")
     moved_m: float = Field(description="how far its foot ends from where it stood")
@@ -225,10 +225,6 @@ class Understood(BaseModel):
     meanings: list[ColumnMeaning] = Field([], description="that a column may have")
     rows: list[list[str]] = []
     numbers: list[int] = Field([], description="of the rows, as messages count them")
-    separator: Literal[",", ";"] = Field(
-        ",",
-        description="between cells of a CSV in which the list's numbers mean the same",
-    )
     building: dict[str, str | float] | None = Field(
         None, description="what a sheet of the workbook says of it"
     )

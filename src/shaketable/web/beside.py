@@ -14,7 +14,7 @@ from shaketable.errors import InputError
 from shaketable.inventory import RESTITUTION
 from shaketable.motion import Motion
 from shaketable.solid import Solid
-from shaketable.spelled_surroundings import metres, surroundings_of
+from shaketable.spelled_surroundings import BodyStrap, metres, surroundings_of
 from shaketable.surroundings import Surroundings
 from shaketable.units import STANDARD_GRAVITY
 from shaketable.web.limits import LOUDEST_BESIDE
@@ -35,16 +35,16 @@ def around(
         orientation: of a solid [rad]; what surrounds it turns with it.
 
     Raises:
-        InputError: a lip in three dimensions, or without an edge.
+        InputError: a lip without an edge.
     """
     if beside is None:
         return None
-    if beside.lip_mm and isinstance(body, Solid):
-        raise InputError("lip_mm is of a thing that is seen from the side")
     straps = []
     if beside.strap_slack_mm is not None:
-        told = f"slack={beside.strap_slack_mm:g}mm,stiffness={beside.strap_stiffness_kn_m:g}kN/m"
-        straps = [f"top:{told},damping={DAMPING * MASS:g}Ns/m"]
+        stiffness = 1e3 * beside.strap_stiffness_kn_m
+        slack = 1e-3 * beside.strap_slack_mm
+        numbers = {"slack": slack, "stiffness": stiffness, "damping": DAMPING * MASS}
+        straps = [BodyStrap(numbers)]
     return surroundings_of(
         body,
         orientation,

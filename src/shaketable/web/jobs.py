@@ -158,11 +158,12 @@ class Jobs:
         return job
 
     def file(self, name: str, wanted: str) -> Path | None:
-        """A file of the results of a job that is done."""
+        """A file of the results of a job that is done; None where it has none of that name."""
         job = self.get(name)
         if job is None or wanted not in FILES or job.told["state"] != "done":
             return None
-        return job.folder / REPORT / wanted
+        path = job.folder / REPORT / wanted
+        return path if path.is_file() else None  # an assessment of a room has no report
 
     def result(self, name: str, language: Language = "en") -> Path | None:
         """What was found, told in a language."""

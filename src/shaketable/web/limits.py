@@ -28,7 +28,7 @@ MOST_EACH = 8  # of one visitor
 UPLOAD_SECONDS = 60.0  # until a file has come
 # Seconds of a processor that a question may cost.
 SHAKE_SECONDS = 10.0  # one shaking, one record
-MANY_SECONDS = 20.0  # a hundred shakings, at ten strengths
+MANY_SECONDS = 40.0  # a hundred shakings, at ten strengths; a box in a strap takes 9
 LIST_SECONDS = 10.0  # to read a list
 ASSESS_SECONDS = 600.0  # to assess it
 MOST_ROWS = 2000  # of a list

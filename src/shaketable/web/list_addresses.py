@@ -13,7 +13,15 @@ from shaketable.web import list_reading, lists, site
 from shaketable.web.answers import Assessed, SiteLevels, Started, Understood
 from shaketable.web.jobs import FILES, Jobs
 from shaketable.web.limits import LIST_SECONDS
-from shaketable.web.questions import COLUMNS_SAID, MOST_COLUMNS_SAID, OF_CATALOGUE, Assess
+from shaketable.web.questions import (
+    COLUMNS_SAID,
+    MOST_COLUMNS_SAID,
+    MOST_ROWS_SAID,
+    OF_CATALOGUE,
+    ROWS,
+    ROWS_SAID,
+    Assess,
+)
 from shaketable.web.room_answers import RoomAssessed
 from shaketable.web.snippets import described
 from shaketable.web.visitor import (
@@ -48,6 +56,9 @@ def add_list_addresses(app: FastAPI) -> None:
             str | None, Query(max_length=100, description="to read, where a workbook has several")
         ] = None,
         columns: Annotated[str, Query(max_length=MOST_COLUMNS_SAID, description=COLUMNS_SAID)] = "",
+        rows: Annotated[
+            str, Query(max_length=MOST_ROWS_SAID, pattern=ROWS, description=ROWS_SAID)
+        ] = "",
     ) -> Understood:
         given = (Path(name).name, await request.body(), accept_sizes, language_of(request))
         return await answer_of(
@@ -59,6 +70,7 @@ def add_list_addresses(app: FastAPI) -> None:
             sheet,
             columns,
             catalogue,
+            rows,
         )
 
     @app.put("/api/hazard", description=described("hazard"), openapi_extra=FILE)

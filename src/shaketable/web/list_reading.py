@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Sequence
+from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
 from shaketable.errors import Fault, InputError, refusal
 from shaketable.inventory import Inventory, Item, read_with_columns
-from shaketable.inventory.columns import LENGTH, UNITS, WORDS, Column, bracketed
+from shaketable.inventory.columns import LENGTH, SIZE, UNIT, UNITS, WORDS, Column, bracketed
 from shaketable.inventory.mapping import SUFFIX
+from shaketable.inventory.sizes import LETTERS, SPELLED, letters_of
 from shaketable.inventory.table import Table, read_table
 from shaketable.inventory.vocabulary import heading
 from shaketable.language import Language, speaking, tell, translated
@@ -28,16 +30,26 @@ class GivenList(NamedTuple):
         file: the list.
         columns: what says the meanings of its columns, if anything does.
         accept_sizes, catalogue: as for `read_inventory`.
+        rows: numbers of its rows in the file that the page made it of, as "3-9,11".
     """
 
     file: Upload
     columns: Upload | None = None
     accept_sizes: bool = False
     catalogue: bool = False
+    rows: str = ""
 
     @classmethod
     def written(
-        cls, folder: Path, name: str, data: bytes, columns: str, *, sizes: bool, catalogue: bool
+        cls,
+        folder: Path,
+        name: str,
+        data: bytes,
+        columns: str,
+        *,
+        sizes: bool,
+        catalogue: bool,
+        rows: str = "",
     ) -> GivenList:
         """A list, written into a folder, with the text of the file that says its columns."""
         said = columns.encode()
@@ -46,7 +58,19 @@ class GivenList(NamedTuple):
             Upload.written(folder, f"{name}{SUFFIX}", said) if said.strip() else None,
             sizes,
             catalogue,
+            rows,
         )
+
+    @property
+    def numbers(self) -> list[int]:
+        """Of its rows below the header, in the user's own file."""
+        found: list[int] = []
+        for span in filter(None, self.rows.split(",")):
+            first, _, last = span.partition("-")
+            if not (first.isdigit() and (last or first).isdigit()):
+                continue
+            found += islice(range(int(first), int(last or first) + 1), MOST_ROWS)
+        return found[:MOST_ROWS]
 
     @property
     def said(self) -> Path | None:
@@ -66,6 +90,7 @@ class GivenList(NamedTuple):
                 sheet=sheet,
                 columns=self.said,
                 catalogue=self.catalogue,
+                numbers=self.numbers,
             )
             _require_rows(len(found.items))
         except InputError as error:
@@ -76,6 +101,13 @@ class GivenList(NamedTuple):
         """A fault with the visitor's own names of the files."""
         for each in (self.columns, self.file):
             fault = each.fault(fault) if each else fault
+        if fault.kind == "no column":
+            mend = tell("choose it below, among the columns")
+            if "--catalogue" in fault.mend:
+                mend += tell("; or take usual sizes from the catalogue, below")
+            return fault._replace(mend=mend)
+        if fault.kind == "order":
+            return fault._replace(mend=tell("or choose it below, among the columns"))
         if "--catalogue" in fault.mend:
             return fault._replace(mend=tell("or take usual sizes from the catalogue, below"))
         return fault
@@ -93,6 +125,7 @@ def understand(
     sheet: str | None = None,
     columns: str = "",
     catalogue: bool = False,
+    rows: str = "",
 ) -> Understood:
     """A list as it was read, with what is wrong with it, told in a language.
 
@@ -103,14 +136,23 @@ def understand(
         sheet: that is read, where a workbook has several.
         columns: text of the file that says what its columns mean.
         catalogue: whether sizes that are left out are taken from it.
+        rows: numbers of its rows in the file that the page made it of, as "3-9,11".
     """
     with speaking(language), tempfile.TemporaryDirectory(prefix="shaketable-") as folder:
         given = GivenList.written(
-            Path(folder), name, data, columns, sizes=accept_sizes, catalogue=catalogue
+            Path(folder),
+            name,
+            data,
+            columns,
+            sizes=accept_sizes,
+            catalogue=catalogue,
+            rows=rows,
         )
         with RunLog(shown=given.fault) as log:
             try:
-                table = read_table(given.file.path, sheet, given.said, catalogue=catalogue)
+                table = read_table(
+                    given.file.path, sheet, given.said, catalogue=catalogue, numbers=given.numbers
+                )
                 _require_rows(len(table.layout.rows))
             except SheetChoiceError as choice:
                 faults = [
@@ -143,7 +185,6 @@ def _understood(given: GivenList, table: Table, log: RunLog) -> Understood:
         meanings=_meanings(),
         rows=[_sent(row, table) for row in table.layout.rows],
         numbers=[row[0].row for row in table.layout.rows],
-        separator=";" if table.sheet.decimal_comma else ",",
         objects=len(items),
         building=None if building is None else {name: _plain(v) for name, v in building.items()},
         floors=any(item.floor for item in items),
@@ -164,7 +205,7 @@ def _sent(row: Sequence[Cell], table: Table) -> list[str]:
     return [
         ""
         if cell.shared and columns.get(k) in ("mass", "quantity", "cost")
-        else cell.text or (UNREADABLE if cell.wrong else "")
+        else f"{cell.text} {cell.unit}".strip() or (UNREADABLE if cell.wrong else "")
         for k, cell in enumerate(row)
     ]
 
@@ -175,6 +216,9 @@ def _columns(table: Table) -> list[ColumnRead]:
     seen = {heading(cell.text) for cell in table.layout.header}
     known: set[str] = set()
     elsewhere = table.layout.units
+    unsure = {fault.column for fault in table.faults if fault.kind in ("column", "order")}
+    if any(column and column.meaning == UNIT for column in table.columns):
+        unsure |= {column.cell.text for column in table.columns if column}  # each row says its own
     for k, (cell, column) in enumerate(zip(table.layout.header, table.columns, strict=True)):
         name, again = cell.text, 1
         while name and heading(name) in (known if again == 1 else known | seen):
@@ -185,8 +229,10 @@ def _columns(table: Table) -> list[ColumnRead]:
         found.append(
             ColumnRead(
                 header=name,
-                meaning=column.meaning if column else "",
-                unit=_offered(column) if column else _SPELLED.get(said, said),
+                meaning=_meaning(column) if column else "",
+                unit=("" if cell.text in unsure and not column.stated else _offered(column))
+                if column
+                else _SPELLED.get(said, said),
                 renamed=again > 1,
                 # by its new name it would be taken for a slip in a known one
                 unused=table.is_said_unused(cell) or (again > 1 and column is None),
@@ -205,16 +251,28 @@ _SPELLED = {
 
 
 def _meanings() -> list[ColumnMeaning]:
-    """All that a column may mean."""
-    return [
-        ColumnMeaning(
-            meaning=meaning,
-            label=translated(meaning.replace("_", " ")),
-            units=list(_by_factor(meaning).values()),
-        )
-        for meaning in WORDS
-        if meaning != LENGTH
-    ]
+    """All that a column may mean; of several sizes in a cell every order."""
+    found = []
+    for meaning in WORDS:
+        units = list(_by_factor(meaning).values())
+        if meaning == SIZE:
+            label = translated("several sizes in a cell, each with its letter")
+            found.append(ColumnMeaning(meaning=meaning, label=label, units=units))
+            for letters in SPELLED:
+                names = " × ".join(translated(LETTERS[each]) for each in letters)
+                found.append(ColumnMeaning(meaning=f"{SIZE}_{letters}", label=names, units=units))
+        else:
+            label = translated(meaning.replace("_", " "))
+            found.append(ColumnMeaning(meaning=meaning, label=label, units=units))
+    return found
+
+
+def _meaning(column: Column) -> str:
+    """A column's meaning as the menu has it."""
+    if column.is_length:
+        return LENGTH
+    letters = letters_of(column.order)
+    return f"{column.meaning}_{letters}" if letters else column.meaning
 
 
 def _offered(column: Column) -> str:

@@ -53,6 +53,7 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
         asked.columns,
         sizes=asked.accept_sizes,
         catalogue=asked.catalogue,
+        rows=asked.rows,
     )
     motions = suite_of(asked.suite) if asked.planar else pairs_of(asked.suite)
     described = asked.building and {
@@ -96,6 +97,7 @@ def assess_list(asked: Assess, folder: str, language: Language = "en") -> None:
                 "path": asked.name,
                 "sha256": sha256(given.file.path),
                 "items": len(items),
+                "not_assessed": inventory.not_assessed,
                 "columns": asked.columns,
             },
             "motions": {"description": _by(len(motions), asked), "sources": []},
@@ -217,7 +219,7 @@ def _counts(result: ItemResult) -> Counts:
 def _thing(item: Item, result: ItemResult) -> Thing | Upright | None:
     """The object for the page's one thing, which knows no castors and no unusual inertia.
 
-    Nor what surrounds it: there a wall stands to the right, and here behind or elsewhere.
+    Nor what surrounds it: there is one wall, behind it, and one strap to that.
     """
     if item.rolls or item.surroundings or not _is_homogeneous(item, result.profile.body):
         return None
@@ -225,17 +227,18 @@ def _thing(item: Item, result: ItemResult) -> Thing | Upright | None:
     try:
         if result.solid is None or item.sideways is None or not _is_plain(item):
             return Thing(
-                width_m=body.width,
+                base_m=body.base,
                 height_m=item.height,
                 cg_share=cg_share,
-                eccentricity=body.left / body.width,
+                eccentricity=body.left / body.base,
                 tilt_deg=degrees(result.profile.tilt),
             )
         box = item.shape is BaseShape.BOX
         return Upright(
             shape="box" if box else "cylinder",
-            width_m=item.sideways.width,
-            depth_m=item.body.width if box else None,
+            depth_m=item.body.base if box else None,
+            width_m=item.sideways.base if box else None,
+            base_m=None if box else item.body.base,
             height_m=item.height,
             cg_share=cg_share,
         )
@@ -245,7 +248,7 @@ def _thing(item: Item, result: ItemResult) -> Thing | Upright | None:
 
 def _is_homogeneous(item: Item, body: Body) -> bool:
     """Whether its radius of gyration is that of a homogeneous rectangle, to a thousandth."""
-    expected = math.hypot(body.width, item.height) / math.sqrt(12.0)
+    expected = math.hypot(body.base, item.height) / math.sqrt(12.0)
     return math.isclose(body.gyration_radius, expected, rel_tol=1e-3)
 
 

@@ -19,6 +19,9 @@ Size = Annotated[float, Field(ge=LEAST_SIZE, le=20)]  # m
 Inside = Annotated[float, Field(ge=0.01, le=0.99)]  # a share of what is not at its ends
 Friction = Annotated[float, Field(ge=LEAST_FRICTION, le=5)]
 Name = Annotated[str, Field(max_length=MOST_NAME)]
+ROWS = r"^[0-9,\-]*$"
+MOST_ROWS_SAID = 20_000
+ROWS_SAID = 'numbers of the rows in the file that this list was made of, as "3-9,11"'
 SuiteName = Literal[
     "fema-p695",
     "fema-p695-both-directions",
@@ -42,11 +45,11 @@ class Beside(Question):
     """What stands beside a thing of 100 kg, and what holds it: all of it moves with the floor."""
 
     wall_gap_mm: float | None = Field(
-        None, ge=0, le=2000, description="from its right side to a wall; null: none [mm]"
+        None, ge=0, le=2000, description="from its back to a wall; null: none [mm]"
     )
     strap_slack_mm: float | None = Field(
         None, ge=0, le=500,
-        description="of a strap from the middle of the top of its right side straight to the wall, "
+        description="of a strap from the middle of the top of its back straight to the wall, "
         "or to a point 50 mm behind it; null: none [mm]",
     )  # fmt: skip
     strap_stiffness_kn_m: float = Field(
@@ -54,17 +57,15 @@ class Beside(Question):
     )
     edge_mm: float | None = Field(
         None, ge=0, le=2000,
-        description="from its left side to the edge of its support; null: none [mm]",
+        description="from its front to the edge of its support; null: none [mm]",
     )  # fmt: skip
-    lip_mm: float = Field(
-        0.0, ge=0, le=500, description="of that edge; seen from the side alone [mm]"
-    )
+    lip_mm: float = Field(0.0, ge=0, le=500, description="of that edge [mm]")
 
 
 class Thing(Question):
-    """A rectangular object that stands free, seen from the side."""
+    """A rectangular object that stands free, seen from the side: its front is at the left."""
 
-    width_m: Size = Field(description="base, along the shaking [m]")
+    base_m: Size = Field(description="along the shaking [m]")
     height_m: Size = Field(description="[m]")
     cg_share: float = Field(
         0.5,
@@ -74,10 +75,13 @@ class Thing(Question):
     )
     eccentricity: Inside = Field(
         0.5,
-        description="where over its base that lies: 0.5 is the middle, less is to the left",
+        description="where over its base that lies: 0.5 is the middle, less is to the front",
     )  # fmt: skip
     tilt_deg: float = Field(
-        0.0, ge=0, le=30, description="of its support, downhill to the left [°]"
+        0.0,
+        ge=0,
+        le=30,
+        description="of its support, downhill to the front, however it is turned [°]",
     )
     friction: Friction | None = Field(
         None, description="between object and support; null: it cannot slide"
@@ -89,15 +93,9 @@ class Upright(Question):
     """A box or a cylinder that stands free, in three dimensions."""
 
     shape: Shape = "box"
-    width_m: float = Field(
-        ge=LEAST_SIZE, le=20, description="from left to right, or the diameter [m]"
-    )
-    depth_m: float | None = Field(
-        None,
-        ge=LEAST_SIZE,
-        le=20,
-        description="from front to back; null: as much; of a box alone [m]",
-    )
+    depth_m: Size | None = Field(None, description="from front to back, of a box [m]")
+    width_m: Size | None = Field(None, description="from side to side, of a box [m]")
+    base_m: Size | None = Field(None, description="the diameter, of a cylinder [m]")
     height_m: Size = Field(description="[m]")
     cg_share: float = Field(
         0.5,
@@ -109,7 +107,10 @@ class Upright(Question):
         0.0, ge=-360, le=360, description="turn on its support, counterclockwise from above [°]"
     )
     tilt_deg: float = Field(
-        0.0, ge=0, le=30, description="of its support, downhill to the left [°]"
+        0.0,
+        ge=0,
+        le=30,
+        description="of its support, downhill to the front, however it is turned [°]",
     )
     friction: Friction | None = Field(
         None, description="between object and support; null: it cannot slide"
@@ -126,6 +127,22 @@ class Upright(Question):
     beside: Beside | None = Field(
         None, description="it turns with the object; null: the object stands alone"
     )
+
+    @model_validator(mode="after")
+    def _sizes_of_shape(self) -> Self:
+        """A box has a depth and a width, a cylinder a base."""
+        box = self.shape == "box"
+        if (self.base_m is None) is not box or any(
+            (size is None) is box for size in (self.depth_m, self.width_m)
+        ):
+            needed = "depth_m and width_m" if box else "base_m, its diameter,"
+            raise ValueError(f"a {self.shape} has {needed} and no other size of its base")
+        return self
+
+    @property
+    def bases(self) -> tuple[float, float]:
+        """Its sizes from front to back and from side to side [m]; of a cylinder its diameter."""
+        return self.depth_m or self.base_m or 0.0, self.width_m or self.base_m or 0.0
 
 
 class Recording(Question):
@@ -263,6 +280,7 @@ class Assess(Question):
     suite: SuiteName = "fema-p695-both-directions"
     scale: Scale = 1.0
     columns: str = Field("", max_length=MOST_COLUMNS_SAID, description=COLUMNS_SAID)
+    rows: str = Field("", max_length=MOST_ROWS_SAID, pattern=ROWS, description=ROWS_SAID)
     accept_sizes: bool = Field(False, description="take sizes that furniture does not have")
     catalogue: bool = Field(False, description=OF_CATALOGUE)
     building: OfBuilding | None = Field(

@@ -83,7 +83,11 @@ def understand(name: str, data: bytes, language: Language = "en") -> RoomRead:
             else:
                 _require_size(room)
                 faults = [
-                    RoomFault(text=f"{each.where}: {each.text}", name=each.where, at_m=each.at)
+                    RoomFault(
+                        text=f"{each.where}: {each.on_page or each.text}",
+                        name=each.where,
+                        at_m=each.at,
+                    )
                     for each in faults_of(room)
                 ]
         notes = [each.removeprefix(f"WARNING: {name}: ") for each in log.messages]

@@ -7,22 +7,22 @@ HOST = "http://127.0.0.1:8000"
 CALLS = {
     "simulate": f"""import httpx
 asked = {{
-    "thing": {{"width_m": 0.32, "height_m": 1.8, "friction": 0.5}},
+    "thing": {{"base_m": 0.32, "height_m": 1.8, "friction": 0.5}},
     "shaking": {{"kind": "recording", "name": "NORTHR/MUL009"}},
 }}
 print(httpx.post("{HOST}/api/simulate", json=asked).json()["outcome"])""",
     "many": f"""import httpx
-asked = {{"thing": {{"width_m": 0.32, "height_m": 1.8}}, "suite": "fema-p695-both-directions"}}
+asked = {{"thing": {{"base_m": 0.32, "height_m": 1.8}}, "suite": "fema-p695-both-directions"}}
 found = httpx.post("{HOST}/api/many", json=asked).json()
 print(found["falls"], "of", found["simulations"], found["low"], found["high"])""",
     "space/simulate": f"""import httpx
 asked = {{
-    "thing": {{"shape": "cylinder", "width_m": 0.23, "height_m": 1.6, "friction": 0.5}},
+    "thing": {{"shape": "cylinder", "base_m": 0.23, "height_m": 1.6, "friction": 0.5}},
     "shaking": {{"kind": "recording", "name": "NORTHR/MUL009"}},
 }}
 print(httpx.post("{HOST}/api/space/simulate", json=asked).json()["fall_azimuth_deg"])""",
     "space/many": f"""import httpx
-asked = {{"thing": {{"width_m": 0.9, "depth_m": 0.32, "height_m": 1.8}}, "curve": False}}
+asked = {{"thing": {{"depth_m": 0.32, "width_m": 0.9, "height_m": 1.8}}, "curve": False}}
 found = httpx.post("{HOST}/api/space/many", json=asked).json()
 print(found["sides"], found["simulations"])""",
     "motion": f"""import httpx

@@ -55,8 +55,8 @@ from shaketable.web.work import (
 )
 
 MILLI = 1e-3
-Side = Literal["right", "back", "left", "front"]  # quarters, from +x toward +y
-#: Of the width: what resists rolling by more is no friction, but another shape.
+Side = Literal["back", "left", "front", "right"]  # quarters, from +x toward +y
+#: Of the base: what resists rolling by more is no friction, but another shape.
 MOST_LENGTH = 0.2
 
 
@@ -105,16 +105,17 @@ def many(asked: ManyInSpace) -> SharesInSpace:
     motions, solid, thing = pairs_of(asked.suite), _solid(asked.thing), asked.thing
     require_mild(thing.beside, motions, asked.scale)
     alone = thing.tilt_deg == 0.0 and thing.beside is None
-    # of what stands alone it is the solid of an assessment, to the digit: from front to back its x
+    # of what stands alone it is the solid of an assessment, to the digit
     own, facing = (_as_listed(thing), 0.0) if alone else (solid, radians(thing.facing_deg))
     # what is held takes several times as long: in half of the ways, as measures of an assessment
     turns = turns_of(own, alone)[:: 2 if thing.beside else 1]
+    scales = scales_of(asked.scale, asked.curve, thing.beside, in_space=True)
     each = [
         simulate_many(
             [own],
             motions,
             tilts=[radians(thing.tilt_deg)],
-            scales=scales_of(asked.scale, asked.curve, thing.beside, in_space=True),
+            scales=np.unique(scales),
             polarities=(1, -1),
             azimuth=math.pi + turn,
             orientations=[facing + turn],
@@ -125,11 +126,12 @@ def many(asked: ManyInSpace) -> SharesInSpace:
         ).isel(body=0, tilt=0, orientation=0, drop=True)
         for turn in turns.tolist()
     ]
-    runs = xr.concat(each, dim=xr.DataArray(turns, dims="turn", name="turn"))
+    runs = xr.concat(each, dim=xr.DataArray(turns, dims="turn", name="turn")).sel(scale=scales)
     found = points(runs, recordings(motions))
     now = runs.isel(scale=0)
-    ahead = math.pi / 2 if alone else 0.0  # from its front to its back is +y on the page
-    toward = (now.fall_azimuth - now.turn + ahead).values[fell(now).values]
+    # turned on the floor, it falls to other sides of the room
+    turned = radians(thing.facing_deg) if alone else 0.0
+    toward = (now.fall_azimuth - now.turn + turned).values[fell(now).values]
     sides = [_side(azimuth) for azimuth in toward.tolist()]
     return SharesInSpace(
         simulations=now.outcome.size,
@@ -151,10 +153,9 @@ def many(asked: ManyInSpace) -> SharesInSpace:
 
 def _as_listed(thing: Upright) -> Solid:
     """The thing as the solid that stands for a row of a list."""
-    depth = thing.width_m if thing.depth_m is None else thing.depth_m
     front, across = (
         replace(Body.rectangle(base, thing.height_m), cg_height=thing.cg_share * thing.height_m)
-        for base in (depth, thing.width_m)
+        for base in thing.bases
     )
     box = thing.shape == "box"
     item = Item(
@@ -171,8 +172,8 @@ def _as_listed(thing: Upright) -> Solid:
 
 
 def _as_drawn(thing: Upright, turns: NDArray[np.float64]) -> int:
-    """Which of its turns is nearest to how the page draws it, its width along the motion."""
-    off = turns - math.pi / 2 - radians(thing.facing_deg)
+    """Which of its turns is nearest to how the page draws it, its depth along the motion."""
+    off = turns - radians(thing.facing_deg)
     return int(np.abs(np.sin(off)).argmin())
 
 
@@ -184,28 +185,24 @@ def _side(azimuth: float) -> Side:
 
 def _solid(thing: Upright) -> Solid:
     cg_height = thing.cg_share * thing.height_m
-    require_proportions(thing.height_m, thing.width_m, thing.depth_m or thing.width_m)
+    require_proportions(thing.height_m, *thing.bases)
     for name in ("rolling_friction_mm", "contour_friction_mm"):
-        most = 1000 * MOST_LENGTH * min(thing.width_m, thing.depth_m or thing.width_m)
+        most = 1000 * MOST_LENGTH * min(thing.bases)
         if getattr(thing, name) > most:
-            raise InputError(f"{name} is at most {MOST_LENGTH:g} of the width, {most:.3g} mm here")
+            raise InputError(f"{name} is at most {MOST_LENGTH:g} of the base, {most:.3g} mm here")
     if thing.shape == "box":
-        depth = thing.width_m if thing.depth_m is None else thing.depth_m
         if thing.contour_friction_mm:
             raise InputError("contour_friction_mm is of the rim of a cylinder")
         box = Solid.box(
-            thing.width_m,
-            depth,
+            *thing.bases,
             thing.height_m,
             cg_height=cg_height,
             rolling_friction=MILLI * thing.rolling_friction_mm,
             mass=MASS,
         )
         return _upright(thing, box)
-    if thing.depth_m is not None:
-        raise InputError("depth_m is of a box: a cylinder's diameter is width_m")
     drum = Solid.cylinder(
-        thing.width_m,
+        thing.bases[0],
         thing.height_m,
         cg_height=cg_height,
         rolling_friction=MILLI * thing.rolling_friction_mm,

@@ -109,17 +109,22 @@ def many(asked: Many) -> Shares:
     motions, tilt = suite_of(asked.suite), radians(asked.thing.tilt_deg)
     body = _body(asked.thing)
     require_mild(asked.thing.beside, motions, asked.scale)
-    runs = simulate_many(
-        [body],
-        motions,
-        tilts=[tilt],
-        scales=scales_of(asked.scale, asked.curve, asked.thing.beside),
-        polarities=(1, -1),
-        model=_model(asked.thing),
-        surroundings=around(asked.thing.beside, body),
-        progress=check,
-        threads=1,
-    ).isel(body=0, tilt=0)
+    scales = scales_of(asked.scale, asked.curve, asked.thing.beside)
+    runs = (
+        simulate_many(
+            [body],
+            motions,
+            tilts=[tilt],
+            scales=np.unique(scales),
+            polarities=(1, -1),
+            model=_model(asked.thing),
+            surroundings=around(asked.thing.beside, body),
+            progress=check,
+            threads=1,
+        )
+        .isel(body=0, tilt=0)
+        .sel(scale=scales)
+    )
     found = points(runs, recordings(motions))
     now = runs.isel(scale=0)
     return Shares(
@@ -193,12 +198,12 @@ def _body(thing: Thing) -> Body:
     Raises:
         InputError: it falls by itself.
     """
-    require_proportions(thing.height_m, thing.width_m)
+    require_proportions(thing.height_m, thing.base_m)
     body = Body(
-        width=thing.width_m,
+        base=thing.base_m,
         cg_height=thing.cg_share * thing.height_m,
-        left=thing.eccentricity * thing.width_m,
-        gyration_radius=math.hypot(thing.width_m, thing.height_m) / math.sqrt(12.0),
+        left=thing.eccentricity * thing.base_m,
+        gyration_radius=math.hypot(thing.base_m, thing.height_m) / math.sqrt(12.0),
         height=thing.height_m if thing.beside else None,
         mass=MASS if thing.beside else None,
     )

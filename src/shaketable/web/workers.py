@@ -9,7 +9,6 @@ import threading
 from multiprocessing import parent_process
 from multiprocessing.connection import wait
 from pathlib import Path
-from typing import get_args
 
 from shaketable.web.limits import WORKER_MEMORY
 
@@ -50,7 +49,6 @@ def _compute() -> None:
         Pulse,
         Shake,
         ShakeInSpace,
-        Shape,
         Thing,
         Upright,
     )
@@ -58,11 +56,11 @@ def _compute() -> None:
 
     pulse = Pulse(period_s=0.5, peak_g=0.3)
     for friction in (0.5, None):
-        thing = Thing(width_m=0.3, height_m=1.8, friction=friction)
+        thing = Thing(base_m=0.3, height_m=1.8, friction=friction)
         work.shake(Shake(thing=thing, shaking=pulse))
         work.many(Many(thing=thing))
-    for shape in get_args(Shape):
-        solid = Upright(shape=shape, width_m=0.3, height_m=1.8)
+    for sizes in ({"depth_m": 0.3, "width_m": 0.3}, {"shape": "cylinder", "base_m": 0.3}):
+        solid = Upright.model_validate({**sizes, "height_m": 1.8})
         space.shake(ShakeInSpace(thing=solid, shaking=pulse))
         space.many(ManyInSpace(thing=solid, scale=0.1, curve=False))
     rooms.shake(ShakeRoom(text=ROOM, shaking=pulse))

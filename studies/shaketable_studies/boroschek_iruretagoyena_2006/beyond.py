@@ -50,7 +50,7 @@ def all_of(motions: Sequence[Motion]) -> Iterator[Variation]:
     for factor in LOSSES:
         yield Variation("loss factor", factor, plain, motions, Rocking(restitution_factor=factor))
     for nu in ECCENTRICITIES:
-        off = [Body.rectangle(size.width, size.height, eccentricity=nu) for size in sizes]
+        off = [Body.rectangle(size.base, size.height, eccentricity=nu) for size in sizes]
         yield Variation("eccentricity", nu, off, motions, Rocking())
     floors = [[motion, *floor_motions(HOUSE, motion)] for motion in motions]
     for floor in range(HOUSE.storeys + 1):

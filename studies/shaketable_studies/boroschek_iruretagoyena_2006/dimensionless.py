@@ -66,7 +66,7 @@ def falls_of(
     motions: Sequence[Motion], event: NDArray[np.intp], done: Callable[[int], None]
 ) -> FallsByGroup:
     """Every body on every tilt under every motion; `event` is each recording's."""
-    sizes = [(size.width, size.height) for size in TABLE_1] + list(LARGER)
+    sizes = [(size.base, size.height) for size in TABLE_1] + list(LARGER)
     bodies = [Body.rectangle(*size) for size in sizes]
     runs = simulate_many(bodies, motions, tilts=TILTS, scales=SCALES, progress=done)
     outcome = runs.outcome.transpose("body", "motion", "tilt", "scale", "polarity").values
@@ -195,7 +195,7 @@ def cross_validated(
         "SCOR as printed": specific_curve(falls, SCOR_PRINTED),
         **{name: left_out(model, falls) for name, model in MODELS.items()},
     }
-    largest = max(float(np.hypot(s.width, s.height)) / 2 for s in TABLE_1)
+    largest = max(float(np.hypot(s.base, s.height)) / 2 for s in TABLE_1)
     larger = falls.half_diagonal > largest + 1e-9
     count = falls.downhill + falls.uphill
     squares = {

@@ -41,7 +41,7 @@ class CurveFits:
 
     def scor_at(self, tilts: NDArray[np.float64], size: PrintedSize) -> NDArray[np.float64]:
         """The fitted specific curve of a body, of every draw, (1 + draws, t)."""
-        c1 = (self.scor @ size_measures(size.width, size.height))[:, None]
+        c1 = (self.scor @ size_measures(size.base, size.height))[:, None]
         return controlled_rate(tilts, np.maximum(c1, SMALLEST_C1), self.gcor[:, 1:])
 
 
@@ -109,7 +109,7 @@ def _fit_scor(
     known = np.isfinite(shares) & (tilts > 0.0)
     if known.sum() < 3 or np.isnan(c2):
         return np.full(3, np.nan)
-    shapes = np.array([size_measures(size.width, size.height) for size in sizes])
+    shapes = np.array([size_measures(size.base, size.height) for size in sizes])
 
     def miss(p: NDArray[np.float64]) -> NDArray[np.float64]:
         c1 = np.maximum(shapes @ p, SMALLEST_C1)[:, None]

@@ -17,14 +17,14 @@ RECORDS = 314
 class PrintedSize(NamedTuple):
     """A row of table I: full sizes [m] and how many of the 314 records eq. 1 lets count."""
 
-    width: float
+    base: float
     height: float
     records: int
 
     @property
     def body(self) -> Body:
-        name = f"{self.width:g} m × {self.height:g} m"
-        return Body.rectangle(self.width, self.height, name=name)
+        name = f"{self.base:g} m × {self.height:g} m"
+        return Body.rectangle(self.base, self.height, name=name)
 
 
 TABLE_1 = (
@@ -94,7 +94,7 @@ class Specimen(NamedTuple):
         near = self.cg_from_edge_mm if from_left else self.width_mm - self.cg_from_edge_mm
         plain = Body.rectangle(MM * self.width_mm, MM * self.height_mm)
         return Body(
-            width=plain.width,
+            base=plain.base,
             cg_height=MM * self.cg_height_mm,
             left=MM * near,
             gyration_radius=plain.gyration_radius,

@@ -41,10 +41,10 @@ def table_1(counted: NDArray[np.bool_]) -> pd.DataFrame:
     return pd.DataFrame(
         {
             "body": k + 1,
-            "base_m": size.width,
+            "base_m": size.base,
             "height_m": size.height,
-            "b_over_h": size.width / size.height,
-            "r_m": np.hypot(size.width, size.height) / 2,
+            "b_over_h": size.base / size.height,
+            "r_m": np.hypot(size.base, size.height) / 2,
             "alpha_rad": size.body.slenderness_left,
             "records": int(counted[k].sum()),
             "records_of": counted.shape[1],
@@ -78,11 +78,11 @@ def table_3(observed: NDArray[np.float64], fits: CurveFits) -> pd.DataFrame:
     for k, (size, printed) in enumerate(zip(TABLE_1, TABLE_3, strict=True)):
         curves = {
             "gcor": gcor(TILTS),
-            "scor": scor(TILTS, size.width, size.height),
+            "scor": scor(TILTS, size.base, size.height),
             "gcor_refit": general,
             "scor_refit": fits.scor_at(TILTS, size)[0],
         }
-        row: dict[str, float] = {"body": k + 1, "base_m": size.width, "height_m": size.height}
+        row: dict[str, float] = {"body": k + 1, "base_m": size.base, "height_m": size.height}
         for name, curve in curves.items():
             largest, area, error = departures(TILTS_DEG, observed[k], curve)
             row |= {
@@ -127,7 +127,7 @@ def fit_errors(observed: NDArray[np.float64], fits: CurveFits) -> pd.DataFrame:
     """Eq. 12's error of the printed and of the fitted curves, of the mean and of all bodies."""
     mean = body_mean(observed[None])[0]
     general, fitted = gcor(TILTS), fits.gcor_at(TILTS)[0]
-    specific = np.array([scor(TILTS, size.width, size.height) for size in TABLE_1])
+    specific = np.array([scor(TILTS, size.base, size.height) for size in TABLE_1])
     specific_fit = np.array([fits.scor_at(TILTS, size)[0] for size in TABLE_1])
     every = np.ones((len(TABLE_1), 1))
     rows = {
@@ -153,7 +153,7 @@ def curves(fits: CurveFits) -> pd.DataFrame:
         if size is None:
             printed, draws = gcor(tilts), fits.gcor_at(tilts)
         else:
-            printed = scor(tilts, size.width, size.height)
+            printed = scor(tilts, size.base, size.height)
             draws = fits.scor_at(tilts, size)
         low, high = interval(draws[1:])
         parts.append(

@@ -59,9 +59,9 @@ def simulate_cases(
     found = [peaks(motion) for motion in motions]
     pga = np.array([each.acceleration for each in found])
     pgv = np.array([each.velocity for each in found])
-    sizes = [(b.width, b.left / b.width, b.cg_height, b.gyration_radius) for b in bodies]
-    width, nu, h, i = np.array(sizes).T[:, :, None]
-    scored = scores(width, nu, h, i, pga, pgv)
+    sizes = [(b.base, b.left / b.base, b.cg_height, b.gyration_radius) for b in bodies]
+    base, nu, h, i = np.array(sizes).T[:, :, None]
+    scored = scores(base, nu, h, i, pga, pgv)
     return Cases(
         rows,
         [motion.name for motion in motions],
@@ -69,5 +69,5 @@ def simulate_cases(
         found,
         falls,
         {name: scored[name] for name in PUBLISHED},
-        shaketable_2026.measures(width, nu, h, i, pga, pgv),
+        shaketable_2026.measures(base, nu, h, i, pga, pgv),
     )

@@ -14,7 +14,7 @@ from shaketable.study import Study
 from shaketable.units import CM
 from shaketable_studies.captions import caption
 
-LINES = {  # of the panels: factor on Housner's velocity, arm over width, style
+LINES = {  # of the panels: factor on Housner's velocity, arm over base, style
     "Ishiyama (eq. 2), symmetric": (ishiyama_1982.FACTOR, 0.5, "--"),
     "known eccentricity, B' = 2νB": (ishiyama_1982.FACTOR, None, "-"),
     "unknown eccentricity, 0.2": (boroschek_romo_2004.UNKNOWN_FACTOR, 0.5, "-."),
@@ -33,7 +33,7 @@ def figures(study: Study) -> Iterator[tuple[str, Figure]]:
 
 
 def _panels(eccentricity: float) -> Callable[[Study], Figure]:
-    """Overturned and standing bodies over velocity and width, one panel per height."""
+    """Overturned and standing bodies over velocity and base, one panel per height."""
 
     def draw(study: Study) -> Figure:
         points = study.tables["points"]
@@ -47,7 +47,7 @@ def _panels(eccentricity: float) -> Callable[[Study], Figure]:
         figure.legend(handles, labels, loc="outside lower center", ncols=3, fontsize="small")
         figure.supylabel("peak ground velocity [cm/s]", fontsize="medium")
         for ax in axes[2:]:
-            ax.set_xlabel("width of the base [m]")
+            ax.set_xlabel("base [m]")
         return figure
 
     return draw
@@ -57,19 +57,19 @@ def _panel(
     ax: Axes, height: float, rows: pd.DataFrame, pgv: np.ndarray, eccentricity: float
 ) -> None:
     fell = rows["falls"].to_numpy() > 0
-    ax.plot(rows["width_m"][~fell], pgv[~fell], ".", color="black", ms=2.5, label="stands")
+    ax.plot(rows["base_m"][~fell], pgv[~fell], ".", color="black", ms=2.5, label="stands")
     ax.plot(
-        rows["width_m"][fell], pgv[fell], "o", color="tab:red", ms=4, mfc="none", mew=0.7,
+        rows["base_m"][fell], pgv[fell], "o", color="tab:red", ms=4, mfc="none", mew=0.7,
         label="overturns",
     )  # fmt: skip
-    width = np.linspace(rows["width_m"].min(), rows["width_m"].max(), 100)
-    inertia = np.sqrt((width**2 + (2 * height) ** 2) / 12)
+    base = np.linspace(rows["base_m"].min(), rows["base_m"].max(), 100)
+    inertia = np.sqrt((base**2 + (2 * height) ** 2) / 12)
     for label, (factor, arm, style) in LINES.items():
         if arm is None and eccentricity == 0.5:
             continue  # the same as the symmetric one
-        at = (arm or eccentricity) * width
+        at = (arm or eccentricity) * base
         limit = ishiyama_1982.overturning_velocity(at, height, inertia, factor)
-        ax.plot(width, limit / CM, style, color="tab:blue", lw=1.6, label=label)
+        ax.plot(base, limit / CM, style, color="tab:blue", lw=1.6, label=label)
     ax.set_yscale("log")
     ax.set_title(f"centre of gravity at {height:g} m", fontsize="small")
 
@@ -153,7 +153,7 @@ def _friction(study: Study) -> Figure:
         ax.plot(at_rest.index, at_rest, "-", color=COLOURS[k], lw=1.5,
                 label=f"b/h of the farther corner, {label}")  # fmt: skip
     ax.set_ylim(0, 0.8)
-    ax.set_xlabel("width over height B/H [-]")
+    ax.set_xlabel("base over height B/H [-]")
     ax.set_ylabel("friction needed while rocking, max |R_x|/R_y [-]")
     ax.grid(color="0.92")
     ax.legend(fontsize="small", ncols=2)

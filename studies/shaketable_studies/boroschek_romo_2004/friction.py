@@ -13,7 +13,7 @@ from shaketable.motion import Motion
 from shaketable.simulate import simulate
 from shaketable_studies.boroschek_romo_2004.grid import CG_HEIGHTS, RATIOS
 
-SHAPES = RATIOS[::3]  # width over full height
+SHAPES = RATIOS[::3]  # base over full height
 ECCENTRICITIES = (0.5, 0.3)
 EVERY = 4  # of the motions
 
@@ -47,7 +47,7 @@ def demands(motions: Sequence[Motion]) -> pd.DataFrame:
 
 
 def shares_without_sliding(table: pd.DataFrame) -> pd.DataFrame:
-    """Of what rocks, the share that a friction keeps from sliding, by width over height."""
+    """Of what rocks, the share that a friction keeps from sliding, by base over height."""
     frictions = (0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 1.0)
     rows = []
     for (shape, nu), here in table.groupby(["b_over_h", "eccentricity"]):

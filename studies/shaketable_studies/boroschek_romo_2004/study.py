@@ -113,7 +113,7 @@ def _points(rows: pd.DataFrame, cases: Cases) -> pd.DataFrame:
         {
             "eccentricity": rows["eccentricity"].to_numpy()[body],
             "cg_height_m": rows["cg_height_m"].to_numpy()[body],
-            "width_m": rows["width_m"].to_numpy()[body],
+            "base_m": rows["base_m"].to_numpy()[body],
             "motion": motion,
             "falls": cases.falls.ravel(),
         }

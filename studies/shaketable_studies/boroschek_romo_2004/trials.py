@@ -69,10 +69,10 @@ def try_criteria(
     parts, found = [], []
     for level, shaking in levels:
         cases = simulate_cases(rows, shaking, done)
-        width, nu, h = (
-            rows[name].to_numpy()[:, None] for name in ("width_m", "eccentricity", "cg_height_m")
+        base, nu, h = (
+            rows[name].to_numpy()[:, None] for name in ("base_m", "eccentricity", "cg_height_m")
         )
-        nearer = np.minimum(nu, 1.0 - nu) * width
+        nearer = np.minimum(nu, 1.0 - nu) * base
         pga = np.array([peak.acceleration for peak in cases.peaks])
         pgv = np.array([peak.velocity for peak in cases.peaks])
         # B' in place of B everywhere, its inertia too
@@ -89,7 +89,7 @@ def try_criteria(
                         "criterion": name,
                         "eccentricity": float(nu[body, 0]),
                         "cg_height_m": float(h[body, 0]),
-                        "width_m": float(width[body, 0]),
+                        "base_m": float(base[body, 0]),
                         "record": cases.motions[motion],
                         "level": level,
                         "pga_m_s2": float(pga[motion]),
@@ -97,7 +97,7 @@ def try_criteria(
                         "falls": int(missed[body, motion]),
                     }
                 )
-    columns = ["criterion", "eccentricity", "cg_height_m", "width_m", "record", "level",
+    columns = ["criterion", "eccentricity", "cg_height_m", "base_m", "record", "level",
                "pga_m_s2", "pgv_m_s", "falls"]  # fmt: skip
     table, alarms, margins = [], {}, {}
     for name in (ISHIYAMA, KNOWN, LITERAL, UNKNOWN):

@@ -153,7 +153,7 @@ def _table_2(
 ) -> pd.DataFrame:
     pfa = np.array([peak.acceleration for peak in found])
     pfv = np.array([peak.velocity for peak in found])
-    ratio = FURNITURE.width / HEIGHT
+    ratio = FURNITURE.base / HEIGHT
     return pd.DataFrame(
         {
             "building": [channel.building for channel in channels],
@@ -162,10 +162,10 @@ def _table_2(
             "pfa_g": pfa / STANDARD_GRAVITY,
             "pfv_m_s": pfv,
             "simplified": kaneko_hayashi_2004.overturning_ratio(
-                FURNITURE.width, HEIGHT, pfa, pfv, zeta_a=kaneko_hayashi_2004.RECOVERED_ZETA_A
+                FURNITURE.base, HEIGHT, pfa, pfv, zeta_a=kaneko_hayashi_2004.RECOVERED_ZETA_A
             ),
             "branch": np.where(
-                np.less_equal(*kaneko_hayashi_2004.demands(FURNITURE.width, HEIGHT, pfa, pfv)),
+                np.less_equal(*kaneko_hayashi_2004.demands(FURNITURE.base, HEIGHT, pfa, pfv)),
                 "PFA",
                 "PFV",
             ),

@@ -35,7 +35,7 @@ def _control(row: dict) -> Claim:  # type: ignore[type-arg]
     if row["base"] == PLANE:
         where, straight = "in a plane, under one component", ""
     else:
-        where = f"{row['base']} base, tilted {row['direction_deg']:g}° from the width, both"
+        where = f"{row['base']} base, tilted {row['direction_deg']:g}° from the short side, both"
         where += " components"
         share = 100 * row["straight_at_5_deg"]
         straight = f"; at 5° {share:.0f} % of the falls are within 45° of downhill"

@@ -30,9 +30,9 @@ from shaketable_studies.shaketable_2026_solids.setting import (
 )
 
 TILTS = np.radians(np.arange(0.0, 7.01, 1.0))
-CHOSEN = (1, 4, 8, 11)  # of the sizes: width over height 0.25, 0.2 to 1.5 m
+CHOSEN = (1, 4, 8, 11)  # of the sizes: base over height 0.25, 0.2 to 1.5 m
 PLANE, FACE = "plane", 0.0
-#: Directions of the tilt from the body's x, across the width [degrees], by base.
+#: Directions of the tilt from the body's x, over its short side [degrees], by base.
 DIRECTIONS = {
     "square": (0.0, 22.5, 45.0),
     "oblong": (0.0, 22.5, 45.0, 67.5, 90.0),

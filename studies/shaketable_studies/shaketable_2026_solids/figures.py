@@ -40,7 +40,7 @@ def _direction(study: Study) -> Figure:
         ax.axhline(95.0, color="0.5", lw=0.8)
         ax.set_title(f"{base} base")
         ax.set_xlabel("tilt [°]")
-        ax.legend(loc="lower right", fontsize="small", title="tilted, from the width")
+        ax.legend(loc="lower right", fontsize="small", title="tilted, from the short side")
     axes[0].set_ylabel("falls downhill [%]")
     return figure
 
@@ -134,7 +134,7 @@ def _measures(study: Study) -> Figure:
 FIGURES = {
     "direction": (
         "Share of the falls that go downhill, against the tilt, for directions of the tilt from "
-        "the width of the base; mean of four sizes with width/height 0.25 to 0.26.",
+        "the short side of the base; mean of four sizes with base/height 0.25 to 0.26.",
         _direction,
     ),
     "shares": (

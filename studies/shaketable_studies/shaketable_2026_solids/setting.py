@@ -17,7 +17,7 @@ from shaketable.solid import Solid
 from shaketable_studies.boroschek_iruretagoyena_2006.printed import TABLE_1, PrintedSize
 
 MODEL = General(static_friction=0.5)
-OBLONG = 2.0  # length of an oblong base over its width
+OBLONG = 2.0  # the long side of an oblong base over the short one
 SIZES: Sequence[PrintedSize] = TABLE_1
 
 
@@ -61,14 +61,14 @@ def components(pairs: Pairs) -> tuple[list[Motion], list[Motion]]:
 
 
 def square(size: PrintedSize) -> Solid:
-    return Solid.box(size.width, size.width, size.height, name=f"square {size.body.name}")
+    return Solid.box(size.base, size.base, size.height, name=f"square {size.body.name}")
 
 
 def oblong(size: PrintedSize) -> Solid:
     """A box as slender, and longer across."""
-    length = OBLONG * size.width
-    return Solid.box(size.width, length, size.height, name=f"oblong {size.body.name}")
+    length = OBLONG * size.base
+    return Solid.box(size.base, length, size.height, name=f"oblong {size.body.name}")
 
 
 def cylinder(size: PrintedSize) -> Solid:
-    return Solid.cylinder(size.width, size.height, name=f"round {size.body.name}")
+    return Solid.cylinder(size.base, size.height, name=f"round {size.body.name}")

@@ -50,7 +50,7 @@ def run(
         tables={
             "bodies": pd.DataFrame(
                 {
-                    "width_m": [size.width for size in SIZES],
+                    "base_m": [size.base for size in SIZES],
                     "height_m": [size.height for size in SIZES],
                 }
             ),

@@ -110,7 +110,7 @@ def test_something_follows_where_the_pressure_ends() -> None:
     found = set()
     for _ in range(2000):
         body = Body(
-            width=0.1,
+            base=0.1,
             cg_height=rng.uniform(0.05, 0.3),
             left=rng.uniform(0.02, 0.08),
             gyration_radius=10 ** rng.uniform(-1.5, 0.0),

@@ -31,7 +31,7 @@ cases = st.tuples(
 
 def build(case: tuple) -> tuple[ContactBody, Pose, int]:
     h, right, left, ratio, friction, kinetic, restitution, rotation, rates = case
-    body = Body(width=right + left, cg_height=h, left=left, gyration_radius=ratio * h)
+    body = Body(base=right + left, cg_height=h, left=left, gyration_radius=ratio * h)
     model = General(
         static_friction=friction,
         kinetic_friction=friction if math.isinf(friction) else friction * kinetic,

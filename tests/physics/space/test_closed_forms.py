@@ -206,7 +206,7 @@ def test_one_corner_rocks_like_a_planar_body_with_the_diagonal_s_half_length() -
     )
     half = 0.15 * math.sqrt(2)
     across = solid.inertia[0, 0]  # about any horizontal axis: the base is square
-    body = Body(width=2 * half, cg_height=0.6, left=half, gyration_radius=math.sqrt(across))
+    body = Body(base=2 * half, cg_height=0.6, left=half, gyration_radius=math.sqrt(across))
     planar = simulate(body, Motion(pulse, 0.01), model=General())
     rise = np.abs(planar.rotation[:40])
     assert rise.max() > 0.01

@@ -21,8 +21,6 @@ from shaketable.physics.space.flat_slip import (
 from shaketable.physics.space.modes import arrange
 from shaketable.physics.space.vectors import Vec
 from shaketable.physics.space.workspace import (
-    CLOSED,
-    CONTACT_KIND,
     FLAT,
     SLIPS,
     STATE,
@@ -60,10 +58,10 @@ def sliding(name: str, friction: float, rng: np.random.Generator, spin: float) -
     state[Q], state[Q + 3] = math.cos(half), math.sin(half)
     work.state[:] = state
     work.closed[:n] = np.arange(n)
-    work.mode[CLOSED] = n
+    work.mode.closed = n
     work.slip[:n] = 1.0, 0.0
     arrange(shape, work, SLIPS, -1)
-    assert work.mode[CONTACT_KIND] == FLAT
+    assert work.mode.kind == FLAT
     return shape, work
 
 
@@ -78,7 +76,7 @@ def test_it_slides_and_turns_as_any_contact(name: str, friction: float, spin: fl
     borne = []
     for _ in range(20):
         shape, work = sliding(name, friction, rng, spin)
-        n = work.mode[CLOSED]
+        n = work.mode.closed
         q, y = axes_at(work.state), work.state
         linear, rate, found = slide_and_turn(shape, work, q, y, PULL)
         shares = work.shares[:n].copy()
@@ -108,7 +106,7 @@ def test_it_slides_straight_as_any_contact(name: str, friction: float) -> None:
         assert slides_straight(shape, work, y)
         linear, press = slide_straight(shape, work, q, y, PULL)
         expected_linear, expected_turn = react(shape, work, q, y, PULL)
-        shares = work.shares[: work.mode[CLOSED], 2]
+        shares = work.shares[: work.mode.closed, 2]
         stays = bool(shares.min() >= -1e-12 * shares.sum())
         assert (press >= 0.0) == stays
         flat.append(stays)

@@ -20,7 +20,7 @@ def compare(body: Body, depth: float, motion: Motion, support: Support, model: G
     """The solid does what the planar body does."""
     planar = simulate(body, motion, support, model=model)
     solid = Solid.box(
-        body.width, depth, 2 * body.cg_height, eccentricity=(body.left / body.width, 0.5)
+        body.base, depth, 2 * body.cg_height, eccentricity=(body.left / body.base, 0.5)
     )
     found = simulate(solid, motion, support, model=model)
     assert found.outcome is planar.outcome
@@ -62,7 +62,7 @@ def well_conditioned(body: Body, motion: Motion, support: Support, model: Genera
     By less than the tolerance for an error of 1e-7, which is more than what the solid's steps,
     accepted at errors of 1e-9, and its slower settling bring in.
     """
-    near = replace(body, width=body.width * (1 + NEAR))
+    near = replace(body, base=body.base * (1 + NEAR))
     one, other = (simulate(b, motion, support, model=model) for b in (body, near))
     change = abs(one.peak_rotation - other.peak_rotation)
     if one.outcome is not Outcome.STANDING:

@@ -14,8 +14,6 @@ from shaketable.physics.space.modes import arrange
 from shaketable.physics.space.short_ways import slip, slip_on_two
 from shaketable.physics.space.vectors import Vec
 from shaketable.physics.space.workspace import (
-    CLOSED,
-    CONTACT_KIND,
     CORNER,
     EDGE,
     SLIPS,
@@ -55,9 +53,9 @@ def test_slips_are_those_of_any_contact(name: str, points: tuple[int, ...] | Non
         state[Q : Q + 4] /= np.linalg.norm(state[Q : Q + 4])
         work.state[:] = state
         work.closed[: len(closed)] = closed
-        work.mode[CLOSED] = len(closed)
+        work.mode.closed = len(closed)
         arrange(shape, work, SLIPS, -1)
-        assert work.mode[CONTACT_KIND] == (CORNER if len(closed) == 1 else EDGE)
+        assert work.mode.kind == (CORNER if len(closed) == 1 else EDGE)
         q = axes_at(work.state)
         if points is None:
             find_rim(shape, work, q, vec(work.state, W))

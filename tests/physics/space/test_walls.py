@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from shaketable import (
-    Body,
-    Edge,
     General,
     InputError,
     Motion,
@@ -431,14 +429,3 @@ def test_a_wall_that_is_touched_and_gives_back_much_is_singular(
         run()
         assert ("is singular" in caplog.text) is warns
         assert ("average over gaps of 0 to 5 mm" in caplog.text) is warns
-
-
-def test_an_edge_is_said_to_be_a_rule(caplog: pytest.LogCaptureFixture) -> None:
-    """Of solids, in which nothing tips over it yet; of planar bodies it is a contact."""
-    around = Surroundings(edge=Edge(at=0.5, azimuth=math.pi))
-    simulate(BOOKCASE, Motion(np.zeros(5), 0.01), surroundings=around)
-    assert "an edge is a rule for solids, and no contact yet" in caplog.text
-    caplog.clear()
-    simulate(Body.rectangle(0.32, 1.8), Motion(np.zeros(5), 0.01), model=General(),
-             surroundings=around)  # fmt: skip
-    assert "an edge is a rule" not in caplog.text

@@ -29,7 +29,7 @@ def case_of(seed: int) -> tuple[Body, Motion, Support, General, Surroundings]:
     width, height = rng.uniform(0.2, 0.5), rng.uniform(0.8, 2.0)
     left = width * rng.uniform(0.42, 0.58)
     body = Body(
-        width=width, cg_height=height * rng.uniform(0.45, 0.55), left=left, height=height,
+        base=width, cg_height=height * rng.uniform(0.45, 0.55), left=left, height=height,
         gyration_radius=math.sqrt((width**2 + height**2) / 12), mass=MASS,
     )  # fmt: skip
     walls, straps = [], []

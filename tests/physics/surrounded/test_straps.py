@@ -24,7 +24,7 @@ def half_sine(size: float, duration: float, after: float = 2.0) -> Motion:
 
 def body_of(width: float, height: float, share: float, cg: float) -> Body:
     return Body(
-        width=width, cg_height=cg, left=share * width, mass=MASS, height=height,
+        base=width, cg_height=cg, left=share * width, mass=MASS, height=height,
         gyration_radius=math.sqrt((width**2 + height**2) / 12),
     )  # fmt: skip
 

@@ -186,4 +186,4 @@ def test_what_cannot_stand_so_is_told() -> None:
     with pytest.raises(InputError, match="wall is toward"):
         simulate(BOOKCASE, motion, model=General(), surroundings=wall(azimuth=1.0))
     with pytest.raises(InputError, match="must be above the centre of gravity"):
-        Body(width=0.3, cg_height=0.6, left=0.1, gyration_radius=0.3, height=0.5)
+        Body(base=0.3, cg_height=0.6, left=0.1, gyration_radius=0.3, height=0.5)

@@ -48,8 +48,8 @@ class Search(NamedTuple):
         """What is simulated next."""
         item, share = self.asked.item, self.share
         assert item.sideways is not None
-        depth = item.body.width + share * (self.depth - item.body.width)
-        width = item.sideways.width + share * (self.width - item.sideways.width)
+        depth = item.body.base + share * (self.depth - item.body.base)
+        width = item.sideways.base + share * (self.width - item.sideways.base)
         wider = replace(
             item, body=widened(item.body, depth), sideways=widened(item.sideways, width)
         )
@@ -66,18 +66,18 @@ def begin(asked: Asked) -> Search | None:
     item, around = asked.item, asked.stood.around
     if item.rolls or item.sideways is None or (around and around.edge):
         return None
-    depth = _proposed(asked.result, Direction.FRONT_TO_BACK, item.body.width)
-    width = _proposed(asked.result, Direction.SIDE_TO_SIDE, item.sideways.width)
+    depth = _proposed(asked.result, Direction.FRONT_TO_BACK, item.body.base)
+    width = _proposed(asked.result, Direction.SIDE_TO_SIDE, item.sideways.base)
     if item.shape is BaseShape.CYLINDER:
         depth = width = max(depth, width)
-    if depth <= item.body.width and width <= item.sideways.width:
+    if depth <= item.body.base and width <= item.sideways.base:
         depth, width = ((1.0 + UNKNOWN) * each for each in _sizes(item))
     return Search(asked, depth, width)
 
 
 def _sizes(item: Item) -> tuple[float, float]:
     assert item.sideways is not None
-    return item.body.width, item.sideways.width
+    return item.body.base, item.sideways.base
 
 
 def _proposed(result: ItemResult | None, direction: Direction, now: float) -> float:
@@ -87,6 +87,6 @@ def _proposed(result: ItemResult | None, direction: Direction, now: float) -> fl
         if side is None:
             continue
         alike = side.profile.alike or side.profile.direction is direction
-        if alike and side.safe_width == side.safe_width:
-            return max(now, side.safe_width)
+        if alike and side.safe_base == side.safe_base:
+            return max(now, side.safe_base)
     return now

@@ -156,10 +156,10 @@ def slip(
 @kernel
 def flat_pressures(body: ContactBody, along: float, normal: float) -> tuple[float, float]:
     """N_R, N_L of a body that is flat on its support and does not turn, from its total T and N."""
-    width = body.right + body.left
+    base = body.right + body.left
     return (
-        (body.left * normal - body.h * along) / width,
-        (body.right * normal + body.h * along) / width,
+        (body.left * normal - body.h * along) / base,
+        (body.right * normal + body.h * along) / base,
     )
 
 

@@ -102,8 +102,8 @@ def at_both(
     slack: float,
 ) -> Rebound:
     """Impulses at both corners of a flat body that stick (sigma 0) or slip."""
-    width = body.right + body.left
-    spin = (left_target - right_target) / width
+    base = body.right + body.left
+    spin = (left_target - right_target) / base
     y_rate = right_target + spin * body.right
     normal = y_rate - pose.y_rate
     if sigma == 0.0:
@@ -113,8 +113,8 @@ def at_both(
         along = -body.a_slip * sigma * normal / body.b_slip if body.b_slip > 0.0 else 0.0
         fits = body.b_slip > 0.0 and sigma * (pose.x_rate + along - spin * body.h) >= -slack
     turn = body.h * along + body.i2 * (spin - pose.spin)
-    right = (body.left * normal - turn) / width
-    left = (body.right * normal + turn) / width
+    right = (body.left * normal - turn) / base
+    left = (body.right * normal + turn) / base
     fits = fits and right >= -slack and left >= -slack
     return Rebound(pose.x_rate + along, y_rate, spin, BOTH, sigma == 0.0, fits)
 

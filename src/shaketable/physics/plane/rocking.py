@@ -53,7 +53,7 @@ SETTLE_ROTATION = 1e-5  # rad: larger rotations are always followed
 class Size(NamedTuple):
     """A body's numbers that every model needs."""
 
-    width: float  # B [m]
+    base: float  # B [m]
     cg_height: float  # h [m]
     left: float  # b_L [m]
     gyration_radius: float  # i [m]
@@ -116,7 +116,7 @@ def make_side(size: Size, sign: float, tilt: float, kept: float) -> Side:
 
     An η that would add energy is lowered to the largest one that does not (theory, section 2).
     """
-    h, right, i2 = size.cg_height, size.width - size.left, size.gyration_radius**2
+    h, right, i2 = size.cg_height, size.base - size.left, size.gyration_radius**2
     own, other = (right, size.left) if sign > 0.0 else (size.left, right)
     phase = math.atan2(own, h) + sign * tilt
     own_inertia, other_inertia = i2 + h * h + own * own, i2 + h * h + other * other

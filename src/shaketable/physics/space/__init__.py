@@ -1,8 +1,37 @@
 """Solids in three dimensions: compiled scalar physics, and the drivers around it.
 
-The rules are those of `physics.plane`. A solid and what its run writes to are records (SOLID_RECORD
-and WORKSPACE of `workspace`): one pointer at every call, where a NamedTuple of many numbers would
-be copied. `run` takes a solid through a motion, `interval` through one sample of it, event by
-event; `choice` finds the contact mode, `constraints` and `complementarity` the reactions, `impact`
-what a landing does, `settling` what time stepping does where nothing else goes on.
+The rules are those of `physics.plane`. A solid is one record, what its run writes to another
+(SOLID_RECORD and WORKSPACE): one pointer at every call, where a NamedTuple of many numbers would be
+copied. `workspace` says of each field its unit, what it means and who writes it; read it first.
+
+`run.run` takes a solid through a motion and on until it rests, has fallen or is given up;
+`interval.cross_interval` takes it through one sample:
+
+    at rest --- the ground moves it (rest_ends) ---> choose ---> step ---> no guard: step on
+       ^                                               ^           |
+       |                                               |           +--> a force ends, the edge is
+       |                                               |           |    passed: choose
+       +--- comes_to_rest                              +--- land <-+--> a gap closes, a wall is met
+                                                                   +--> it has fallen: the end
+
+`choice.choose` finds the contact mode. It asks in this order, and takes the first that is
+admissible: all as they move (`try_simple`), a flat base that begins to slide (`try_slide`), a side
+that does (`try_side_slip`), points of unlike friction (`try_grip`), all of them as one
+complementarity problem (`solve_together`). Where walls, or the edge of the support, may be touched
+`beside` asks likewise of one list of touches, whatever they touch. What is called `try_...` writes
+the mode that it asks about.
+
+| files | what they find |
+|---|---|
+| `contacts`, `touches`, `walls`, `edge`, `closing` | what is near: gaps, levers, velocities |
+| `modes`, `constraints`, `short_ways`, `flat_slip`, `walled` | reactions and rates in a mode |
+| `choice`, `grip`, `complementarity` | which mode follows on the support alone |
+| `beside`, `tries`, `together` | which mode follows with all that is touched |
+| `step`, `rates` | one step, and the rates that it needs |
+| `guards`, `events` | what ends a mode, and when within a step |
+| `impact`, `together` | velocities after a landing, without and with walls |
+| `rest`, `rest_beside` | whether pressure and friction can bear it at rest |
+| `settling` | time stepping, where no mode is admissible |
+| `straps`, `pads`, `losses` | pulls, glue, rolling and turning |
+| `landing` | what is told of a fall over the edge |
 """

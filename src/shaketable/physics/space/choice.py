@@ -36,20 +36,11 @@ from shaketable.physics.space.rates import limit, rates
 from shaketable.physics.space.straps import with_straps
 from shaketable.physics.space.vectors import Axes, Vec, add, cross, on_support
 from shaketable.physics.space.workspace import (
-    CLOSED,
-    CONE,
-    CONTACT_KIND,
     CORNER,
-    FALLBACKS,
     FLAT,
     FLIGHT,
-    FRICTION_STATE,
-    KINETIC,
-    NEAR,
     PIVOTS,
-    PRESS,
     SLIPS,
-    STATIC,
     STICKS,
     SolidParameters,
     V,
@@ -67,11 +58,11 @@ BACKWARD_SLIP_TOLERANCE = 1e-6
 def note_slip(shape: SolidParameters, work: Workspace, q: Axes, least: float) -> int:
     """Write which of the points on the support slip faster, and along what; return how many."""
     moving = 0
-    for k in range(work.mode[NEAR]):
+    for k in range(work.mode.near):
         point = work.near[k]
         u = velocity(shape, work, q, work.state, point)
         speed = math.sqrt(u.x * u.x + u.y * u.y)
-        work.moving[point] = speed > least and work.points[point, STATIC] < math.inf
+        work.moving[point] = speed > least and work.points[point].static < math.inf
         if work.moving[point]:
             moving += 1
             work.slip[point, 0] = u.x / speed
@@ -84,9 +75,9 @@ def admissible(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool
     """Whether the mode that is written presses, holds, and lets no other point sink."""
     dy = work.stages[0]
     rates(shape, work, work.state, f, True, dy)
-    if not (work.judged[PRESS] >= -SLACK and work.judged[CONE] >= -SLACK):
+    if not (work.judged.press >= -SLACK and work.judged.cone >= -SLACK):
         return False
-    for k in range(work.mode[NEAR]):
+    for k in range(work.mode.near):
         point = work.near[k]
         if is_closed(work, point):
             continue
@@ -99,14 +90,14 @@ def admissible(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool
 def hold_of(work: Workspace) -> int:
     """What the closed points do: all slip, one sticks, or all stick; the first one that sticks."""
     stuck, first = 0, -1
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         if not work.moving[work.closed[place]]:
             stuck += 1
             if first < 0:
                 first = work.closed[place]
     if stuck == 0:
         return -1
-    return first if stuck == 1 and work.mode[CLOSED] > 1 else -2
+    return first if stuck == 1 and work.mode.closed > 1 else -2
 
 
 @routine
@@ -126,24 +117,24 @@ def try_simple(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool
     arrange_moving(shape, work)
     if admissible(shape, work, q, f):
         return True
-    if lies_on_rim(shape) and work.mode[CONTACT_KIND] == FLAT:
+    if lies_on_rim(shape) and work.mode.kind == FLAT:
         return try_rim(shape, work, q, f)
-    if work.mode[NEAR] > 2:
+    if work.mode.near > 2:
         for k in range(shape.hull):
             if close_side(shape, work, k):
                 arrange_moving(shape, work)
                 if admissible(shape, work, q, f):
                     return True
-    if work.mode[NEAR] > 2 and rim_is_near(shape, work):
-        for k in range(work.mode[NEAR] - 1):
+    if work.mode.near > 2 and rim_is_near(shape, work):
+        for k in range(work.mode.near - 1):
             close_with_rim(shape, work, k)
             arrange_moving(shape, work)
             if admissible(shape, work, q, f):
                 return True
-    if work.mode[NEAR] > 1:
-        for k in range(work.mode[NEAR]):
+    if work.mode.near > 1:
+        for k in range(work.mode.near):
             work.closed[0] = work.near[k]
-            work.mode[CLOSED] = 1
+            work.mode.closed = 1
             arrange_moving(shape, work)
             if admissible(shape, work, q, f):
                 return True
@@ -153,11 +144,11 @@ def try_simple(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool
 @routine
 def try_rim(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     """Whether a circle tips over its rim, where the resultant of the forces leaves the base."""
-    if work.mode[FRICTION_STATE] == STICKS:
+    if work.mode.grip == STICKS:
         pull = with_straps(shape, work, f)
         back = Vec(pull.x, pull.y, 0.0)
     else:
-        mu = work.points[shape.contacts, KINETIC]
+        mu = work.points[shape.contacts].kinetic
         first = work.near[0]
         back = Vec(mu * work.slip[first, 0], mu * work.slip[first, 1], 0.0)
     along = q.x.x * back.x + q.y.x * back.y
@@ -181,19 +172,19 @@ def try_slide(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     close_all(work)
     if size == 0.0 or not shape.uniform:
         return False
-    for k in range(work.mode[NEAR]):
+    for k in range(work.mode.near):
         point = work.near[k]
         work.moving[point] = 1
         work.slip[point, 0] = pull.x / size
         work.slip[point, 1] = pull.y / size
     arrange(shape, work, SLIPS, 0)
     found = (
-        work.mode[CONTACT_KIND] == FLAT
+        work.mode.kind == FLAT
         and admissible(shape, work, q, f)
         and work.stages[0, V] * pull.x + work.stages[0, V + 1] * pull.y >= 0.0
     )
     if not found:
-        for k in range(work.mode[NEAR]):
+        for k in range(work.mode.near):
             work.moving[work.near[k]] = 0
     return found
 
@@ -269,7 +260,7 @@ def split_along(shape: SolidParameters, work: Workspace, q: Axes) -> int:
 def spare_along(work: Workspace, place: int) -> float:
     """Friction that a side's corner has left for a force along the side."""
     share = work.shares[place]
-    most = limit(work.points[work.closed[place], STATIC], max(share[2], 0.0))
+    most = limit(work.points[work.closed[place]].static, max(share[2], 0.0))
     return math.sqrt(max(most * most - share[0] * share[0] - share[1] * share[1], 0.0))
 
 
@@ -306,7 +297,7 @@ def solve_together(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
     f = with_straps(shape, work, f)
     spin = vec(work.state, W)
     free_turn = free_turning(shape, work, spin)
-    n = work.mode[CLOSED]
+    n = work.mode.closed
     for place in range(n):
         r = arm(shape, work, work.closed[place])
         own = add(cross(spin, r), drift(shape, work, work.closed[place]))
@@ -329,11 +320,11 @@ def solve_together(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
         if (
             not work.moving[point]
             and along > shape.limits.starting
-            and work.points[point, STATIC] < math.inf
+            and work.points[point].static < math.inf
         ):
             work.moving[point] = 1
             work.slip[point, 0], work.slip[point, 1] = a.x / along, a.y / along
-    work.mode[CLOSED] = kept
+    work.mode.closed = kept
     arrange_moving(shape, work)
     return found
 
@@ -341,8 +332,8 @@ def solve_together(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
 @routine
 def choose(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     """Find and begin the mode that follows, for the points on the support (`near`)."""
-    if work.mode[NEAR] == 0:
-        work.mode[CLOSED] = 0
+    if work.mode.near == 0:
+        work.mode.closed = 0
         arrange(shape, work, SLIPS, 0)
         return
     q = axes_at(work.state)
@@ -351,22 +342,22 @@ def choose(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     if not found:
         faster, moving = moving, note_slip(shape, work, q, shape.limits.slipping)
         found = moving > faster and try_simple(shape, work, q, f)
-    if not found and moving == 0 and work.mode[NEAR] > 2:
+    if not found and moving == 0 and work.mode.near > 2:
         found = try_slide(shape, work, q, f)
-    if not found and moving < 2 and work.mode[NEAR] == 2:
+    if not found and moving < 2 and work.mode.near == 2:
         found = try_side_slip(shape, work, q, f, moving)
-    if not found and not shape.uniform and work.mode[NEAR] > 2:
+    if not found and not shape.uniform and work.mode.near > 2:
         found = try_grip(shape, work, q, f)
     if not found:
         found = solve_together(shape, work, q, f)
         if not found:
-            work.tally[FALLBACKS] += 1.0
+            work.tally.fallbacks += 1.0
             if shape.least_static == math.inf:  # it can neither slip nor leave: it stays
                 close_all(work)
                 arrange(shape, work, STICKS, 0)
-    if lies_on_rim(shape) and work.mode[CONTACT_KIND] not in (FLAT, FLIGHT):
+    if lies_on_rim(shape) and work.mode.kind not in (FLAT, FLIGHT):
         first = work.closed[0]
-        if not (work.mode[CONTACT_KIND] == CORNER and first == shape.contacts):
+        if not (work.mode.kind == CORNER and first == shape.contacts):
             take_rim(shape, work)
             last = shape.contacts
             work.moving[last] = work.moving[first]

@@ -26,10 +26,6 @@ from shaketable.physics.space.vectors import (
     times,
 )
 from shaketable.physics.space.workspace import (
-    CLOSED,
-    FALLBACKS,
-    KINETIC,
-    STATIC,
     SolidParameters,
     Workspace,
     put,
@@ -165,7 +161,7 @@ def balance(shape: SolidParameters, work: Workspace, q: Axes, forces: bool, resi
         resists: the torque against rolling and drilling for a unit of pressure. A point's is found
             with the pressure that it had in the sweep before: the torque is small beside it.
     """
-    n = work.mode[CLOSED]
+    n = work.mode.closed
     largest = 0.0
     for place in range(n):
         r = arm(shape, work, work.closed[place])
@@ -178,7 +174,7 @@ def balance(shape: SolidParameters, work: Workspace, q: Axes, forces: bool, resi
             largest = max(largest, abs(work.free[place, j]))
     linear, turn = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
     close = (CONVERGED_FORCES if forces else CONVERGED) * largest
-    for _ in range(SWEEPS if work.tally[FALLBACKS] < MAX_UNCONVERGED else FEWER_SWEEPS):
+    for _ in range(SWEEPS if work.tally.fallbacks < MAX_UNCONVERGED else FEWER_SWEEPS):
         change = 0.0
         for place in range(n):
             point = work.closed[place]
@@ -189,7 +185,7 @@ def balance(shape: SolidParameters, work: Workspace, q: Axes, forces: bool, resi
             now = add(vec(work.free[place], 0), add(linear, on_support(q, cross(turn, r))))
             free = subtract(now, applied(own, before))
             goal = work.goal[place]
-            static, kinetic = work.points[point, STATIC], work.points[point, KINETIC]
+            static, kinetic = work.points[point].static, work.points[point].kinetic
             if forces and work.moving[point]:
                 after = Vec(0.0, 0.0, 0.0)
                 if free.z < goal:
@@ -221,7 +217,7 @@ def summed(shape: SolidParameters, work: Workspace, q: Axes, resists: Vec) -> tu
     For forces it is the change of the acceleration.
     """
     linear, torque = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         share = vec(work.shares[place], 0)
         linear = add(linear, share)
         torque = add(torque, cross(arm(shape, work, work.closed[place]), on_body(q, share)))

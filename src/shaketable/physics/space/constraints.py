@@ -27,13 +27,8 @@ from shaketable.physics.space.vectors import (
     times,
 )
 from shaketable.physics.space.workspace import (
-    CLOSED,
-    CONTACT_KIND,
     CORNER,
     FLAT,
-    FRICTION_STATE,
-    KINETIC,
-    PIVOT,
     PIVOTS,
     SLIPS,
     STICKS,
@@ -87,12 +82,12 @@ def pressure(
     Args:
         resists: the torque against rolling and drilling (`resistance`).
     """
-    hold, point = work.mode[FRICTION_STATE], work.closed[place]
+    hold, point = work.mode.grip, work.closed[place]
     r = arm(shape, work, point)
     force, torque = Vec(0.0, 0.0, 1.0), add(cross(r, q.z), resists)
-    if hold != STICKS and not (hold == PIVOTS and point == work.mode[PIVOT]):
+    if hold != STICKS and not (hold == PIVOTS and point == work.mode.pivot):
         x, z = slip_direction(shape, work, point, velocity(shape, work, q, y, point))
-        mu = work.points[point, KINETIC]
+        mu = work.points[point].kinetic
         force = Vec(-mu * x, -mu * z, 1.0)
         torque = add(torque, cross(r, add(times(-mu * x, q.x), times(-mu * z, q.y))))
     return force, torque
@@ -104,7 +99,7 @@ def assemble(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, fricti
 
     Without friction the columns are the rows: impulses that end velocities.
     """
-    rank, hold, n = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE], work.mode[CLOSED]
+    rank, hold, n = work.mode.kind, work.mode.grip, work.mode.closed
     rows, columns = work.rows, work.columns
     resists = resistance(shape, q, vec(y, W))
     for i in range(6):
@@ -124,7 +119,7 @@ def assemble(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, fricti
                 add_to(columns, j, phi, force, pull)
     k = rank
     if hold != SLIPS:
-        point = work.mode[PIVOT] if hold == PIVOTS else work.closed[0]
+        point = work.mode.pivot if hold == PIVOTS else work.closed[0]
         r = arm(shape, work, point)
         east, north = Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0)
         for matrix in (rows, columns):
@@ -162,7 +157,7 @@ def measured(row: Floats, linear: Vec, angular: Vec) -> float:
 @routine
 def bias(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, k: int) -> None:
     """Add to the right sides what the rotation contributes to the accelerations of the rows."""
-    rank, n = work.mode[CONTACT_KIND], work.mode[CLOSED]
+    rank, n = work.mode.kind, work.mode.closed
     spin = vec(y, W)
     for place in range(n):
         point = work.closed[place]
@@ -170,8 +165,8 @@ def bias(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, k: int) ->
         lift = dot(q.z, cross(spin, own))
         for j in range(rank):
             work.system[j, k] -= work.basis[place, j] * lift
-    if work.mode[FRICTION_STATE] != SLIPS:
-        point = work.mode[PIVOT] if work.mode[FRICTION_STATE] == PIVOTS else work.closed[0]
+    if work.mode.grip != SLIPS:
+        point = work.mode.pivot if work.mode.grip == PIVOTS else work.closed[0]
         own = add(cross(spin, arm(shape, work, point)), drift(shape, work, point))
         along = cross(spin, own)
         work.system[rank, k] -= dot(q.x, along)
@@ -185,7 +180,7 @@ def share_pressure(work: Workspace) -> bool:
     Of all pressures with a resultant those of least ΣN² without a pull are N = max(0, Σ φ z): where
     it is above zero for other points than those that z was found for, these are to carry.
     """
-    rank, n, other = work.mode[CONTACT_KIND], work.mode[CLOSED], False
+    rank, n, other = work.mode.kind, work.mode.closed, False
     for place in range(n):
         share = 0.0
         for j in range(rank):
@@ -216,7 +211,7 @@ def weigh(
 @routine
 def carried(work: Workspace) -> bool:
     """Whether the points that carry a flat base span a plane: Gram's determinant of their basis."""
-    n = work.mode[CLOSED]
+    n = work.mode.closed
     count, x, y, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
     for place in range(n):
         if work.carries[place]:
@@ -233,7 +228,7 @@ def carried(work: Workspace) -> bool:
 def pulls(work: Workspace) -> bool:
     """Whether a point that carries a flat base is pulled by more than round-off."""
     total, least = 0.0, 0.0
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         total += work.shares[place, 2]
         least = min(least, work.shares[place, 2])
     return least < -ROUND_OFF * total
@@ -248,7 +243,7 @@ def stand_on_three(
     Where friction differs from point to point, pressure on a rough foot brings more friction, which
     tips the body on to that foot: there need be no pressures of the usual form.
     """
-    n, best, least = work.mode[CLOSED], Three(-1, -1, -1), math.inf
+    n, best, least = work.mode.closed, Three(-1, -1, -1), math.inf
     k = write_effects(shape, work, q, y, f, free_turn)
     for a in range(n):
         for b in range(a + 1, n):
@@ -276,7 +271,7 @@ def write_effects(
 
     Returns: the number of constraints.
     """
-    n, rank = work.mode[CLOSED], work.mode[CONTACT_KIND]
+    n, rank = work.mode.closed, work.mode.kind
     k = assemble(shape, work, q, y, True)
     resists = resistance(shape, q, vec(y, W))
     for place in range(n):
@@ -302,7 +297,7 @@ def pressed_by(work: Workspace, three: Three, k: int) -> float:
 
     Takes `effects`, of k constraints.
     """
-    n, rank = work.mode[CLOSED], work.mode[CONTACT_KIND]
+    n, rank = work.mode.closed, work.mode.kind
     carry(work, three)
     if not carried(work):
         return math.inf
@@ -327,7 +322,7 @@ def stand_on_all(
     shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec, free_turn: Vec
 ) -> int:
     """Let all points carry a flat base, though some of them are pulled."""
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         work.carries[place] = 1
     k = weigh(shape, work, q, y, f, free_turn)
     share_pressure(work)
@@ -337,21 +332,21 @@ def stand_on_all(
 @kernel
 def nothing_presses(work: Workspace) -> bool:
     largest = 0.0
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         largest = max(largest, abs(work.shares[place, 2]))
     return largest == 0.0
 
 
 @kernel
 def carry(work: Workspace, three: Three) -> None:
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         work.carries[place] = 1 if place in (three.a, three.b, three.c) else 0
 
 
 @routine
 def react(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
     """v̇ and ω̇ in any mode with a contact; the reactions are written to the shares."""
-    spin, n = vec(y, W), work.mode[CLOSED]
+    spin, n = vec(y, W), work.mode.closed
     free_turn = free_turning(shape, work, spin)
     for place in range(n):
         work.carries[place] = 1
@@ -360,11 +355,9 @@ def react(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -
         if not share_pressure(work) or not carried(work):
             break
         k = weigh(shape, work, q, y, f, free_turn)
-    if work.mode[CONTACT_KIND] == FLAT and nothing_presses(
-        work
-    ):  # those that were to carry are in line
+    if work.mode.kind == FLAT and nothing_presses(work):  # those that were to carry are in line
         k = stand_on_all(shape, work, q, y, f, free_turn)
-    if work.mode[CONTACT_KIND] == FLAT and n <= EXHAUSTIVE_POINTS and pulls(work):
+    if work.mode.kind == FLAT and n <= EXHAUSTIVE_POINTS and pulls(work):
         k = stand_on_three(shape, work, q, y, f, free_turn)
     linear, torque = f, Vec(0.0, 0.0, 0.0)
     for j in range(k):
@@ -377,15 +370,15 @@ def react(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -
 @routine
 def write_friction(shape: SolidParameters, work: Workspace, q: Axes, y: Floats) -> None:
     """Write the friction of each closed place beside its pressure, where it is determined."""
-    hold = work.mode[FRICTION_STATE]
-    for place in range(work.mode[CLOSED]):
+    hold = work.mode.grip
+    for place in range(work.mode.closed):
         point = work.closed[place]
-        if hold == STICKS or (hold == PIVOTS and point == work.mode[PIVOT]):
-            work.shares[place, 0] = work.solved[work.mode[CONTACT_KIND]]
-            work.shares[place, 1] = work.solved[work.mode[CONTACT_KIND] + 1]
+        if hold == STICKS or (hold == PIVOTS and point == work.mode.pivot):
+            work.shares[place, 0] = work.solved[work.mode.kind]
+            work.shares[place, 1] = work.solved[work.mode.kind + 1]
         else:
             x, z = slip_direction(shape, work, point, velocity(shape, work, q, y, point))
-            size = work.points[point, KINETIC] * work.shares[place, 2]
+            size = work.points[point].kinetic * work.shares[place, 2]
             work.shares[place, 0] = -size * x
             work.shares[place, 1] = -size * z
 
@@ -397,12 +390,12 @@ def arrest(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, restitut
     Each normal velocity u becomes -e u. The state's velocities are changed; the impulses are
     written to `solved`. Returns False, with nothing changed, where the mode is singular.
     """
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         work.carries[place] = 1
     k = assemble(shape, work, q, y, False)
     fill(shape, work, k)
     linear, spin = vec(y, V), vec(y, W)
-    rank = work.mode[CONTACT_KIND]
+    rank = work.mode.kind
     for i in range(k):
         keep = restitution if i < rank else 0.0
         work.system[i, k] = -(1.0 + keep) * measured(work.rows[i], linear, spin)

@@ -16,9 +16,6 @@ from shaketable.physics.space.vectors import (
     subtract,
 )
 from shaketable.physics.space.workspace import (
-    CLOSED,
-    FIRST,
-    LAST,
     Floats,
     P,
     Q,
@@ -26,8 +23,6 @@ from shaketable.physics.space.workspace import (
     V,
     W,
     Workspace,
-    X,
-    Y,
     vec,
 )
 
@@ -68,7 +63,7 @@ def lies_on_rim(shape: SolidParameters) -> bool:
 @kernel
 def on_rim(shape: SolidParameters, work: Workspace) -> bool:
     """Whether a rim's lowest point is closed: alone, or as the last of the places."""
-    n = work.mode[CLOSED]
+    n = work.mode.closed
     return shape.radius > 0.0 and n > 0 and work.closed[n - 1] == shape.contacts
 
 
@@ -76,14 +71,14 @@ def on_rim(shape: SolidParameters, work: Workspace) -> bool:
 def arm(shape: SolidParameters, work: Workspace, point: int) -> Vec:
     """r of a contact point, in the body's frame."""
     rise = shape.rise if point == shape.contacts else 0.0
-    return Vec(work.points[point, X], work.points[point, Y], rise - shape.h)
+    return Vec(work.points[point].x, work.points[point].y, rise - shape.h)
 
 
 @kernel
 def drift(shape: SolidParameters, work: Workspace, point: int) -> Vec:
     """How fast the contact moves along the body: zero but on a rim that rolls."""
     if shape.radius > 0.0 and point == shape.contacts:
-        return Vec(work.rim[2], work.rim[3], 0.0)
+        return Vec(work.rim.along_x, work.rim.along_y, 0.0)
     return Vec(0.0, 0.0, 0.0)
 
 
@@ -126,29 +121,29 @@ def find_rim(shape: SolidParameters, work: Workspace, q: Axes, spin: Vec) -> flo
     square = n.x * n.x + n.y * n.y
     sine = math.sqrt(square)
     if sine <= LEVEL:
-        rim[2] = 0.0
-        rim[3] = 0.0
+        rim.along_x = 0.0
+        rim.along_y = 0.0
     else:
         one = 1.0 / square  # beside the root, which it need not wait for
         x, y = -n.x * (one * sine), -n.y * (one * sine)
-        if on_rim(shape, work) and x * rim[4] + y * rim[5] < 0.0:
+        if on_rim(shape, work) and x * rim.before_x + y * rim.before_y < 0.0:
             x, y, sine = -x, -y, -sine
         turn = cross(n, spin)  # the rate of the normal, which stands still, as the body sees it
         along = -x * turn.x - y * turn.y
-        rim[0] = x
-        rim[1] = y
-        rim[2] = shape.radius * (-turn.x - x * along) * (one * sine)
-        rim[3] = shape.radius * (-turn.y - y * along) * (one * sine)
-    work.points[last, X] = shape.radius * rim[0]
-    work.points[last, Y] = shape.radius * rim[1]
+        rim.x = x
+        rim.y = y
+        rim.along_x = shape.radius * (-turn.x - x * along) * (one * sine)
+        rim.along_y = shape.radius * (-turn.y - y * along) * (one * sine)
+    work.points[last].x = shape.radius * rim.x
+    work.points[last].y = shape.radius * rim.y
     return sine
 
 
 @kernel
 def begin_rim(work: Workspace) -> None:
     """Let a step begin where the rim is."""
-    work.rim[4] = work.rim[0]
-    work.rim[5] = work.rim[1]
+    work.rim.before_x = work.rim.x
+    work.rim.before_y = work.rim.y
 
 
 @kernel
@@ -173,22 +168,10 @@ def rim_height(shape: SolidParameters, q: Axes, y: Floats, sine: float) -> float
 
 
 @kernel
-def lowest(shape: SolidParameters, work: Workspace, q: Axes, y: Floats) -> float:
-    """Least clearance under the base [m]."""
-    least = math.inf
-    if shape.radius > 0.0:
-        least = rim_height(shape, q, y, math.sqrt(q.z.x**2 + q.z.y**2))
-    if not lies_on_rim(shape):
-        for point in range(shape.hull):
-            least = min(least, height(shape, work, q, y, point))
-    return least
-
-
-@kernel
 def side_direction(shape: SolidParameters, work: Workspace) -> Vec:
     """Unit vector from the first to the last of the closed points, in the body's frame."""
-    first = arm(shape, work, work.closed[work.mode[FIRST]])
-    side = subtract(arm(shape, work, work.closed[work.mode[LAST]]), first)
+    first = arm(shape, work, work.closed[work.mode.first])
+    side = subtract(arm(shape, work, work.closed[work.mode.last]), first)
     length = math.sqrt(dot(side, side))
     return Vec(side.x / length, side.y / length, side.z / length)
 
@@ -208,8 +191,8 @@ def flat_margin(
     least = total
     for k in range(shape.hull):
         j = k + 1 if k + 1 < shape.hull else 0
-        x, z = work.points[k, X], work.points[k, Y]
-        dx, dz = work.points[j, X] - x, work.points[j, Y] - z
+        x, z = work.points[k].x, work.points[k].y
+        dx, dz = work.points[j].x - x, work.points[j].y - z
         inward = dx * (across - total * z) - dz * (along - total * x)
         least = min(least, inward / (math.sqrt(dx * dx + dz * dz) * shape.reach))
     return least

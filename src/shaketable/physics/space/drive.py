@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from shaketable.compiled import driver
-from shaketable.physics.space.edge import EDGE
+from shaketable.physics.space.landing import EDGE
 from shaketable.physics.space.run import (
     SUMMARY,
     GroundAcceleration,

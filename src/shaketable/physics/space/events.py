@@ -13,10 +13,6 @@ from shaketable.physics.space.rates import rates
 from shaketable.physics.space.step import Pull, pull_at, take_step
 from shaketable.physics.space.workspace import (
     BETWEEN,
-    CONE,
-    CONE_BEFORE,
-    PRESS,
-    PRESS_BEFORE,
     STATE,
     SolidParameters,
     Workspace,
@@ -38,9 +34,9 @@ def find_event(
     `end` is the least guard after du, which is negative. The state just past the zero is left on
     trial. Newton's method on each guard, kept between what is known to be before and past it.
     """
-    press, cone = work.judged[PRESS_BEFORE], work.judged[CONE_BEFORE]
+    press, cone = work.judged.press_before, work.judged.cone_before
     middle = look_between(shape, work, pull, u, du, end)
-    work.judged[PRESS_BEFORE], work.judged[CONE_BEFORE] = press, cone
+    work.judged.press_before, work.judged.cone_before = press, cone
     low, high, at = 0.0, du, 0.0
     for search in range(SEARCHES):
         if not low < middle < high or search % PATIENCE == PATIENCE - 1:
@@ -67,7 +63,7 @@ def find_event(
 def guard_at(shape: SolidParameters, work: Workspace, row: int, h: float) -> EventGuard:
     """The least guard on trial, whose rates are in a row of the stages, h after the last one."""
     here = least_guard(shape, work, work.trial, work.stages[row], GAP_FOUND, h)
-    work.judged[PRESS_BEFORE], work.judged[CONE_BEFORE] = work.judged[PRESS], work.judged[CONE]
+    work.judged.press_before, work.judged.cone_before = work.judged.press, work.judged.cone
     return here
 
 
@@ -76,7 +72,7 @@ def look_between(
     shape: SolidParameters, work: Workspace, pull: Pull, u: float, du: float, end: EventGuard
 ) -> float:
     """About when the first guard falls through zero, by the polynomial through a step of du."""
-    work.judged[PRESS_BEFORE], work.judged[CONE_BEFORE] = work.judged[PRESS], work.judged[CONE]
+    work.judged.press_before, work.judged.cone_before = work.judged.press, work.judged.cone
     write_polynomial(work, du * pull.length)
     low, high, at, here = 0.0, du, du, end
     for _ in range(LOOKS):

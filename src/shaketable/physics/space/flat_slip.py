@@ -14,8 +14,6 @@ from shaketable.physics.space.linear import solve
 from shaketable.physics.space.losses import resistance
 from shaketable.physics.space.vectors import Axes, Vec, add, cross, on_body
 from shaketable.physics.space.workspace import (
-    CLOSED,
-    KINETIC,
     Floats,
     Q,
     SolidParameters,
@@ -40,13 +38,13 @@ def is_upright(y: Floats) -> bool:
 @routine
 def slides_straight(shape: SolidParameters, work: Workspace, y: Floats) -> bool:
     """Whether the points of a flat base that slips are alike: one friction, one velocity."""
-    alone = shape.uniform and shape.straps == 0 and work.mode[CLOSED] == shape.contacts
+    alone = shape.uniform and shape.straps == 0 and work.mode.closed == shape.contacts
     if not alone or y[W + 2] != 0.0:
         return False
     if y[V] * y[V] + y[V + 1] * y[V + 1] > shape.limits.turning * shape.limits.turning:
         return True
     first, same = work.closed[0], True  # friction opposes the slip that each began
-    for place in range(1, work.mode[CLOSED]):
+    for place in range(1, work.mode.closed):
         point = work.closed[place]
         same = same and work.slip[point, 0] == work.slip[first, 0]
         same = same and work.slip[point, 1] == work.slip[first, 1]
@@ -62,11 +60,11 @@ def slide_straight(
     It is negative where the base does not stay flat.
     """
     point, total = work.closed[0], -f.z
-    mu = work.points[point, KINETIC]
+    mu = work.points[point].kinetic
     x, z = slip_direction(shape, work, point, vec(y, V))
     linear = Vec(f.x - mu * total * x, f.y - mu * total * z, 0.0)
-    for place in range(work.mode[CLOSED]):  # some shares: without reactions none is pulled
-        work.shares[place, 2] = total / work.mode[CLOSED]
+    for place in range(work.mode.closed):  # some shares: without reactions none is pulled
+        work.shares[place, 2] = total / work.mode.closed
     if shape.h * mu <= shape.inscribed:  # it cannot tip, whatever the direction
         return linear, min(total, total * (shape.inscribed - shape.h * mu) / shape.reach)
     size = shape.h * mu * total  # the middle of the pressures is ahead of the foot
@@ -82,7 +80,7 @@ def slide_and_turn(
 
     They are written to the shares.
     """
-    n, inertia, spin = work.mode[CLOSED], shape.inertia, y[W + 2]
+    n, inertia, spin = work.mode.closed, shape.inertia, y[W + 2]
     write_wrenches(shape, work, q, y)
     # the moments that turn it about the normal alone are those of inertia: I ω̇ + ω × I ω
     tips, aside = -spin * spin * inertia.yz, spin * spin * inertia.xz
@@ -123,11 +121,11 @@ def slide_and_turn(
 def write_wrenches(shape: SolidParameters, work: Workspace, q: Axes, y: Floats) -> None:
     """Write to `effects` what a unit of pressure does at each closed place."""
     inertia, resists = shape.inertia, resistance(shape, q, vec(y, W))
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         point = work.closed[place]
         r = arm(shape, work, point)
         x, z = slip_direction(shape, work, point, velocity(shape, work, q, y, point))
-        mu = work.points[point, KINETIC]
+        mu = work.points[point].kinetic
         torque = add(cross(r, on_body(q, Vec(-mu * x, -mu * z, 1.0))), resists)
         effect = work.effects[place]
         effect[RISES] = 1.0

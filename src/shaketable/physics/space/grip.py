@@ -23,18 +23,11 @@ from shaketable.physics.space.modes import arrange
 from shaketable.physics.space.rates import limit
 from shaketable.physics.space.vectors import Axes, Sym, Vec, on_support
 from shaketable.physics.space.workspace import (
-    CLOSED,
-    CONTACT_KIND,
     FLAT,
-    KINETIC,
-    NEAR,
-    STATIC,
     STICKS,
     SolidParameters,
     W,
     Workspace,
-    X,
-    Y,
 )
 
 ITERATIONS = 20  # of pressures and friction, where points slip; at rest the first one suffices
@@ -52,11 +45,11 @@ BEGINS, BEGINS_AT_LEAST = 1e-3, 1e-11
 def pressed(shape: SolidParameters, work: Workspace, total: float) -> bool:
     """Whether the pressures that are written have their resultant inside the base."""
     along, across, found = 0.0, 0.0, 0.0
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         share = work.shares[place, 2]
         found += share
-        along += share * work.points[work.closed[place], X]
-        across += share * work.points[work.closed[place], Y]
+        along += share * work.points[work.closed[place]].x
+        across += share * work.points[work.closed[place]].y
     inside = flat_margin(shape, work, found, along, across) >= -EDGE_OF_BASE * total
     return inside and abs(found - total) <= ROUND_OFF * total
 
@@ -71,12 +64,12 @@ def flat_grip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, iteratio
 
     Returns: the largest acceleration of a point that does not slip yet [m/s²].
     """
-    n = work.mode[NEAR]
+    n = work.mode.near
     for place in range(n):
         work.closed[place] = work.near[place]
-    work.mode[CLOSED] = n
+    work.mode.closed = n
     arrange(shape, work, STICKS, 0)
-    if work.mode[CONTACT_KIND] != FLAT or f.z >= 0.0:
+    if work.mode.kind != FLAT or f.z >= 0.0:
         return -1.0
     pull_x, pull_y, left, moving = -f.x, -f.y, 0.0, 0
     for place in range(n):
@@ -104,7 +97,7 @@ def flat_grip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, iteratio
 @kernel
 def most(work: Workspace, place: int) -> float:
     """The friction that a closed place can hold."""
-    return limit(work.points[work.closed[place], STATIC], max(work.shares[place, 2], 0.0))
+    return limit(work.points[work.closed[place]].static, max(work.shares[place, 2], 0.0))
 
 
 @routine
@@ -115,7 +108,7 @@ def share_friction(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
     origin, and the angular acceleration: about another origin, the stiff term of that point would
     hide all else in round-off.
     """
-    n, spin2, inertia = work.mode[CLOSED], work.state[W + 2] ** 2, shape.inertia.zz
+    n, spin2, inertia = work.mode.closed, work.state[W + 2] ** 2, shape.inertia.zz
     # without the friction of points that stay: `away` is the acceleration, `torque` per unit mass
     away_x, away_y, torque, origin = f.x, f.y, 0.0, 0
     if shape.straps > 0:
@@ -124,7 +117,7 @@ def share_friction(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
         point = work.closed[place]
         r = on_support(q, arm(shape, work, point))
         if work.moving[point]:
-            size = work.points[point, KINETIC] * max(work.shares[place, 2], 0.0)
+            size = work.points[point].kinetic * max(work.shares[place, 2], 0.0)
             x, y = -size * work.slip[point, 0], -size * work.slip[point, 1]
             work.free[place, 0], work.free[place, 1] = x, y
             away_x += x
@@ -200,7 +193,7 @@ def slopes(
     g_t = c_x * o.y - c_y * o.x + inertia * angular - torque
     xx, yy, tt = 1.0, 1.0, inertia + o.x * o.x + o.y * o.y
     xy, xt, yt = 0.0, o.y, -o.x
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         point = work.closed[place]
         if work.moving[point]:
             continue
@@ -241,7 +234,7 @@ def newton_step(k: Sym, g_x: float, g_y: float, g_t: float) -> tuple[float, floa
 @routine
 def slip_with_grip(shape: SolidParameters, work: Workspace, left: float) -> None:
     """Mark as slipping every point that `flat_grip` accelerates above the threshold."""
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         point = work.closed[place]
         x, y = work.local[place, 0], work.local[place, 1]
         size = math.sqrt(x * x + y * y)

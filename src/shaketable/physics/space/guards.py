@@ -17,11 +17,30 @@ from shaketable.physics.space.contacts import (
     acceleration,
     axes_at,
     find_rim,
-    height,
     lies_on_rim,
     on_rim,
     rim_height,
     velocity,
+)
+from shaketable.physics.space.edge import (
+    BACK,
+    PAST,
+    TIE,
+    beyond,
+    clearance,
+    crossing,
+    crossing_speed,
+    has_edge,
+    is_off,
+    line_plane,
+    lip_gap,
+    lip_left,
+    lip_plane,
+    lowest_of_body,
+    near_line,
+    past_line,
+    side_count,
+    support_gap,
 )
 from shaketable.physics.space.straps import (
     BROKEN,
@@ -30,30 +49,24 @@ from shaketable.physics.space.straps import (
     force_rate,
     stretch_of,
 )
-from shaketable.physics.space.touches import is_carrying, touch_acceleration, touch_velocity
+from shaketable.physics.space.touches import (
+    is_carrying,
+    touch_acceleration,
+    touch_velocity,
+    touches_more,
+)
 from shaketable.physics.space.vectors import Axes, cross
 from shaketable.physics.space.walls import wall_gap, wall_speed
 from shaketable.physics.space.workspace import (
-    CARRIES,
-    CLOSED,
-    CONE,
-    CONE_BEFORE,
-    CONTACT_KIND,
+    BEHIND_LIP,
+    BEHIND_SIDES,
     FLAT,
     FLIGHT,
-    FRICTION_STATE,
-    MOVES,
-    PAST,
-    PIVOT,
     PIVOTS,
-    PRESS,
-    PRESS_BEFORE,
-    SLIP_DIRECTION,
     STICKS,
-    STRENGTH,
-    TOUCHES,
     WALLED,
     Floats,
+    P,
     SolidParameters,
     V,
     W,
@@ -61,7 +74,8 @@ from shaketable.physics.space.workspace import (
     vec,
 )
 
-NOTHING, GAP, FORCE, SLIP, FALL, HELD, WALL = range(7)
+# What its surface or side ends under is a PASS; what has left its support ends with a LANDING.
+NOTHING, GAP, FORCE, SLIP, FALL, HELD, WALL, PASS, LANDING = range(9)
 # How far past its zero a guard acts, so that what has ended is seen to have ended [m/s², m/s].
 FORCE_PAST, SLIP_PAST = 1e-9, 1e-9
 # A gap that is below zero by the first is an event, which is then found where it is below zero by
@@ -74,13 +88,13 @@ GAP_WINDOW, OTHER_WINDOW = 1e-12, 1e-9
 @kernel
 def window(kind: int) -> float:
     """How far below zero a guard may be where its event is found."""
-    return GAP_WINDOW if kind in (GAP, WALL) else OTHER_WINDOW
+    return GAP_WINDOW if kind in (GAP, WALL, PASS, LANDING) else OTHER_WINDOW
 
 
 @kernel
 def slips_at(work: Workspace, point: int) -> bool:
-    hold = work.mode[FRICTION_STATE]
-    return hold != STICKS and not (hold == PIVOTS and point == work.mode[PIVOT])
+    hold = work.mode.grip
+    return hold != STICKS and not (hold == PIVOTS and point == work.mode.pivot)
 
 
 class EventGuard(NamedTuple):
@@ -109,14 +123,14 @@ def nearer(found: EventGuard, kind: int, value: float, slope: float) -> EventGua
 
 @kernel
 def force_guard(work: Workspace) -> float:
-    return float(min(work.judged[PRESS], work.judged[CONE]) + work.judged[PAST])
+    return float(min(work.judged.press, work.judged.cone) + work.judged.past)
 
 
 @kernel
 def force_guard_before(work: Workspace) -> float:
     """The same where it was judged before."""
-    before = min(work.judged[PRESS_BEFORE], work.judged[CONE_BEFORE])
-    return float(before + work.judged[PAST])
+    before = min(work.judged.press_before, work.judged.cone_before)
+    return float(before + work.judged.past)
 
 
 @routine
@@ -126,12 +140,17 @@ def least_guard(
     """The guards of a state; its rates, dy, have just been judged, and before that those h ago."""
     q = axes_at(y)
     spin = vec(y, W)
-    rank = work.mode[CONTACT_KIND]
-    found = nearer(EventGuard(math.inf, NOTHING, math.inf), FALL, q.z.z, cross(q.z, spin).z)
+    rank = work.mode.kind
+    found = EventGuard(math.inf, NOTHING, math.inf)
+    if is_off(shape, y):
+        least, rate = lowest_of_body(shape, work, y)
+        found = nearer(found, LANDING, least + shape.drop, rate)
+    else:
+        found = nearer(found, FALL, q.z.z, cross(q.z, spin).z)
     if rank != FLIGHT:
         force, before = force_guard(work), force_guard_before(work)
         found = nearer(found, FORCE, force, min((force - before) / h, 0.0))
-        for place in range(work.mode[CLOSED] if rank != WALLED else 0):
+        for place in range(work.mode.closed if rank != WALLED else 0):
             point = work.closed[place]
             if slips_at(work, point):
                 x, along = work.slip[point, 0], work.slip[point, 1]
@@ -141,16 +160,19 @@ def least_guard(
                 found = nearer(found, SLIP, ahead, change.x * x + change.y * along)
     for k in range(shape.straps):
         found = strap_guard(work, q, y, dy, k, found)
-    if shape.walls > 0:
-        found = wall_guards(shape, work, q, y, dy, gap_past, found)
-    if rank == FLAT or (rank == WALLED and lies_on_rim(shape) and work.mode[CLOSED] > 1):
+    if has_edge(shape):
+        found = passing_guards(shape, work, q, y, found)
+    if touches_more(shape):
+        found = touch_guards(shape, work, q, y, dy, gap_past, found)
+    if rank == FLAT or (rank == WALLED and lies_on_rim(shape) and work.mode.closed > 1):
         return found
-    if lies_on_rim(shape) or (shape.radius > 0.0 and not on_rim(shape, work)):
+    rim = lies_on_rim(shape) or (shape.radius > 0.0 and not on_rim(shape, work))
+    if rim and clearance(shape, work, q, y) < math.inf:
         found = nearer(found, GAP, *rim_gap(shape, work, y, gap_past))
     if not lies_on_rim(shape):
         for point in range(shape.contacts):
             if not (is_carrying(work, 0, point) if rank == WALLED else is_closed(work, point)):
-                gap = height(shape, work, q, y, point) + gap_past
+                gap = support_gap(shape, work, q, y, point) + gap_past
                 found = nearer(found, GAP, gap, velocity(shape, work, q, y, point).z)
     return found
 
@@ -170,11 +192,11 @@ def strap_guard(
     if does == RELAXED:
         return nearer(nearer(found, HELD, s.delta, s.rate), HELD, -s.force, -rate)
     found = nearer(found, HELD, s.force, rate)
-    return nearer(found, HELD, work.straps[k, STRENGTH] - s.force, -rate)
+    return nearer(found, HELD, work.straps[k].strength - s.force, -rate)
 
 
 @routine
-def wall_guards(
+def touch_guards(
     shape: SolidParameters,
     work: Workspace,
     q: Axes,
@@ -183,25 +205,78 @@ def wall_guards(
     gap_past: float,
     found: EventGuard,
 ) -> EventGuard:
-    """What is found after the walls were looked at: what meets one, and which touch ends its slip.
+    """What is found after walls and edge were looked at, and which touch ends its slip.
 
-    Of a mode beside a wall the touches on the support are looked at, too.
+    Of a mode of touches those on the support are looked at, too.
     """
-    pressed = work.mode[CONTACT_KIND] == WALLED
+    pressed = work.mode.kind == WALLED
     for wall in range(1, shape.walls + 1):
         for point in range(shape.outline):
             if not (pressed and is_carrying(work, wall, point)):
                 gap = wall_gap(shape, work, q, y, wall, point) + gap_past
                 found = nearer(found, WALL, gap, wall_speed(shape, work, q, y, wall, point))
+    if has_edge(shape):
+        found = edge_guards(shape, work, q, y, gap_past, found)
     if pressed:
-        for place in range(work.mode[TOUCHES]):
+        for place in range(work.mode.touches):
             touch = work.touches[place]
-            if touch[MOVES] > 0.0 and touch[CARRIES] > 0.0:
-                x, z = touch[SLIP_DIRECTION], touch[SLIP_DIRECTION + 1]
+            if touch.moves > 0 and touch.carries > 0:
+                x, z = touch.slip_x, touch.slip_y
                 u = touch_velocity(work, q, y, place)
                 change = touch_acceleration(work, q, y, vec(dy, V), vec(dy, W), place)
                 ahead = u.x * x + u.y * z + SLIP_PAST
                 found = nearer(found, SLIP, ahead, change.x * x + change.y * z)
+    return found
+
+
+@routine
+def passing_guards(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, found: EventGuard
+) -> EventGuard:
+    """What is found after it was looked which points of the base pass the edge.
+
+    Those of a circle are looked at where they are touched alone: they roll on.
+    """
+    if beyond(shape, vec(y, P)) + shape.size < 0.0:
+        return found
+    pressed = work.mode.kind == WALLED
+    for point in range(shape.contacts + 1):
+        rolls = shape.radius > 0.0 or point == shape.contacts
+        if rolls and not (is_carrying(work, 0, point) if pressed else is_closed(work, point)):
+            continue
+        u = velocity(shape, work, q, y, point)
+        off, rate = past_line(shape, work, q, y, point), shape.edge_x * u.x + shape.edge_y * u.y
+        if work.past[point] == 0:
+            found = nearer(found, PASS, PAST - off, -rate)
+        else:
+            found = nearer(found, PASS, off - BACK, rate)
+    return found
+
+
+@routine
+def edge_guards(
+    shape: SolidParameters,
+    work: Workspace,
+    q: Axes,
+    y: Floats,
+    gap_past: float,
+    found: EventGuard,
+) -> EventGuard:
+    """What is found after the edge of the support was looked at."""
+    pressed = work.mode.kind == WALLED
+    for point in range(shape.outline if shape.lip > 0.0 else 0):
+        if pressed and is_carrying(work, lip_plane(shape), point):
+            found = nearer(found, PASS, lip_left(shape, work, q, y, point), 0.0)
+        elif work.behind[BEHIND_LIP + point] == 0:
+            gap = lip_gap(shape, work, q, y, point) + gap_past
+            speed = wall_speed(shape, work, q, y, lip_plane(shape), point)
+            found = nearer(found, WALL, gap, speed)
+    for side in range(side_count(shape) if near_line(shape, y) else 0):
+        at = crossing(shape, work, q, y, side)
+        if pressed and is_carrying(work, line_plane(shape), side):
+            found = nearer(found, PASS, at.left, at.rate)
+        elif work.behind[BEHIND_SIDES + side] == 0 and at.left > TIE:
+            found = nearer(found, WALL, at.gap + gap_past, crossing_speed(q, y, at))
     return found
 
 

@@ -24,25 +24,15 @@ from shaketable.physics.space.modes import arrange
 from shaketable.physics.space.rates import judge_side, limit, write_side
 from shaketable.physics.space.vectors import ZERO, Axes, add, applied, dot
 from shaketable.physics.space.workspace import (
-    CLOSED,
-    CONE,
-    CONTACT_KIND,
     CORNER,
     EDGE,
-    ENERGY_CUTS,
-    FALLBACKS,
-    NEAR,
-    PRESS,
     STATE,
-    STATIC,
     STICKS,
     Floats,
     SolidParameters,
     V,
     W,
     Workspace,
-    X,
-    Y,
     put,
     vec,
 )
@@ -69,10 +59,10 @@ def goal_of(shape: SolidParameters, speed: float, restitution: float) -> float:
 @routine
 def impulses_hold(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
     """Whether the impulses of a contact that sticks, in `solved`, press and keep to their cones."""
-    z, n = work.solved, work.mode[CLOSED]
-    rank = work.mode[CONTACT_KIND]
+    z, n = work.solved, work.mode.closed
+    rank = work.mode.kind
     if rank == CORNER:
-        mu = work.points[work.closed[0], STATIC]
+        mu = work.points[work.closed[0]].static
         return z[0] >= 0.0 and math.sqrt(z[1] * z[1] + z[2] * z[2]) <= limit(mu, z[0])
     origin = work.closed[0]
     if rank == EDGE:
@@ -87,27 +77,27 @@ def impulses_hold(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
         work.shares[place, 2] = share
         point = work.closed[place]
         total += share
-        x += share * work.points[point, X]
-        y += share * work.points[point, Y]
+        x += share * work.points[point].x
+        y += share * work.points[point].y
     if total <= 0.0:
         return False
     x, y = x / total, y / total
     # friction as a rigid field about the centre of the pressure, which is one way to share it
-    to_x, to_y = work.points[origin, X] - x, work.points[origin, Y] - y
+    to_x, to_y = work.points[origin].x - x, work.points[origin].y - y
     f_x = q.x.x * z[3] + q.y.x * z[4]  # in the body's frame
     f_y = q.x.y * z[3] + q.y.y * z[4]
     torque = z[5] + to_x * f_y - to_y * f_x
     second = 0.0
     for place in range(n):
         point = work.closed[place]
-        dx, dy = work.points[point, X] - x, work.points[point, Y] - y
+        dx, dy = work.points[point].x - x, work.points[point].y - y
         second += work.shares[place, 2] * (dx * dx + dy * dy)
     twist = torque / second
     for place in range(n):
         point = work.closed[place]
-        dx, dy = work.points[point, X] - x, work.points[point, Y] - y
+        dx, dy = work.points[point].x - x, work.points[point].y - y
         t_x, t_y = f_x / total - twist * dy, f_y / total + twist * dx
-        if math.sqrt(t_x * t_x + t_y * t_y) > limit(work.points[point, STATIC], 1.0):
+        if math.sqrt(t_x * t_x + t_y * t_y) > limit(work.points[point].static, 1.0):
             return False
     return True
 
@@ -116,11 +106,11 @@ def impulses_hold(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
 def side_holds(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
     """Whether the impulses along a side press and keep to their cones."""
     z = work.solved
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         work.shares[place, 2] = z[0] + z[1] * work.basis[place, 1]
     write_side(shape, work, q)
     judge_side(work)
-    return bool(min(work.judged[PRESS], work.judged[CONE]) >= 0.0)
+    return bool(min(work.judged.press, work.judged.cone) >= 0.0)
 
 
 @routine
@@ -138,21 +128,21 @@ def strikes(
     """
     y = work.state
     approaching, bouncing = False, 0
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         speed = velocity(shape, work, q, before, work.closed[place]).z
         approaching = approaching or speed < -slack
         bouncing += speed < -shape.limits.bounce
     if not approaching:
         return 0
-    keep = restitution if bouncing == work.mode[CLOSED] else 0.0
-    if restitution > 0.0 and 0 < bouncing < work.mode[CLOSED]:
+    keep = restitution if bouncing == work.mode.closed else 0.0
+    if restitution > 0.0 and 0 < bouncing < work.mode.closed:
         return 0
     for j in range(STATE):
         y[j] = before[j]
     arrange(shape, work, STICKS, 0)
     if not arrest(shape, work, q, y, keep) or not impulses_hold(shape, work, q):
         return 0
-    for k in range(work.mode[NEAR]):
+    for k in range(work.mode.near):
         point = work.near[k]
         if is_closed(work, point):
             continue
@@ -170,7 +160,7 @@ def strike(shape: SolidParameters, work: Workspace, before: Floats, restitution:
     """
     q = axes_at(before)
     fastest = 0.0
-    for k in range(work.mode[NEAR]):
+    for k in range(work.mode.near):
         u = velocity(shape, work, q, before, work.near[k])
         fastest = max(fastest, abs(u.x), abs(u.y), abs(u.z))
     slack = ROUND_OFF * fastest
@@ -178,22 +168,22 @@ def strike(shape: SolidParameters, work: Workspace, before: Floats, restitution:
     how = strikes(shape, work, q, before, restitution, slack)
     if how:
         return how
-    if work.mode[NEAR] > 2:
+    if work.mode.near > 2:
         for k in range(shape.hull):
             if close_side(shape, work, k):
                 how = strikes(shape, work, q, before, restitution, slack)
                 if how:
                     return how
-    if work.mode[NEAR] > 2 and rim_is_near(shape, work):
-        for k in range(work.mode[NEAR] - 1):
+    if work.mode.near > 2 and rim_is_near(shape, work):
+        for k in range(work.mode.near - 1):
             close_with_rim(shape, work, k)
             how = strikes(shape, work, q, before, restitution, slack)
             if how:
                 return how
-    if work.mode[NEAR] > 1:
-        for k in range(work.mode[NEAR]):
+    if work.mode.near > 1:
+        for k in range(work.mode.near):
             work.closed[0] = work.near[k]
-            work.mode[CLOSED] = 1
+            work.mode.closed = 1
             how = strikes(shape, work, q, before, restitution, slack)
             if how:
                 return how
@@ -210,12 +200,12 @@ def strike_together(
     for j in range(STATE):
         y[j] = before[j]
     close_all(work)
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         u = velocity(shape, work, q, before, work.closed[place])
         put(work.free[place], 0, u)
         work.goal[place] = goal_of(shape, u.z, restitution)
     if not balance(shape, work, q, False, ZERO):
-        work.tally[FALLBACKS] += 1.0
+        work.tally.fallbacks += 1.0
     linear, turn = summed(shape, work, q, ZERO)
     put(y, V, add(vec(y, V), linear))
     put(y, W, add(vec(y, W), turn))
@@ -236,7 +226,7 @@ def collide(shape: SolidParameters, work: Workspace) -> None:
     allowed = kinetic_energy(shape, before) * (1.0 + ENERGY_SLACK)
     if kinetic_energy(shape, work.state) <= allowed:
         return
-    work.tally[ENERGY_CUTS] += 1.0
+    work.tally.energy_cuts += 1.0
     low, high = 0.0, shape.restitution
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)

@@ -6,18 +6,29 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.dormand_prince import next_part
-from shaketable.physics.space.beside import choose
+from shaketable.physics.space.beside import choose, choose_together
+from shaketable.physics.space.closing import is_closed
 from shaketable.physics.space.constraints import pulls
 from shaketable.physics.space.contacts import (
     LEVEL,
     axes_at,
     begin_rim,
     find_rim,
-    height,
     lies_on_rim,
-    lowest,
     on_rim,
     velocity,
+)
+from shaketable.physics.space.edge import (
+    PAST,
+    clearance,
+    hangs_over,
+    has_edge,
+    is_of_base,
+    line_plane,
+    look_behind,
+    note_past,
+    past_line,
+    support_gap,
 )
 from shaketable.physics.space.events import find_event
 from shaketable.physics.space.guards import (
@@ -26,6 +37,8 @@ from shaketable.physics.space.guards import (
     FORCE_PAST,
     GAP,
     GAP_SEEN,
+    LANDING,
+    PASS,
     WALL,
     lean,
     lean_rate,
@@ -39,47 +52,37 @@ from shaketable.physics.space.rates import rates
 from shaketable.physics.space.rest import NEVER, rest_margin, rest_until, rests_throughout
 from shaketable.physics.space.rest_beside import rest_beside_until
 from shaketable.physics.space.settling import (
+    FELL,
+    GOES_ON,
+    LANDED,
     all_but_flat,
     all_but_leaning,
     creep,
     lay_flat,
+    settles_at_edge,
 )
 from shaketable.physics.space.step import Pull, pull_at, take_step
 from shaketable.physics.space.straps import hold_on, note_forces, pull_or_not, with_straps
 from shaketable.physics.space.together import collide_touches
-from shaketable.physics.space.touches import gather_touches, note_slips, plane_of, point_of
+from shaketable.physics.space.touches import (
+    gather_touches,
+    is_at_edge,
+    is_carrying,
+    note_slips,
+    plane_of,
+    point_of,
+    touch_velocity,
+    touches_more,
+)
 from shaketable.physics.space.vectors import dot
 from shaketable.physics.space.workspace import (
-    CARRIES,
-    CLOCK,
-    CLOSED,
-    CONE,
-    CONE_BEFORE,
-    CONTACT_KIND,
     CORNER,
-    EVENTS,
-    FARTHEST,
     FLAT,
     FLIGHT,
-    FRICTION_STATE,
-    IMPACTS,
-    KINETIC,
-    LIFT,
-    MOVES,
-    NEAR,
-    PAST,
-    PEAK,
-    PRESS,
-    PRESS_BEFORE,
     SLIPS,
-    START_X,
-    START_Y,
     STATE,
-    STEPS,
     STICKS,
-    TOUCHES,
     WALLED,
-    YAW,
     P,
     Q,
     SolidParameters,
@@ -88,7 +91,6 @@ from shaketable.physics.space.workspace import (
     vec,
 )
 
-GOES_ON, FELL = range(2)  # how an interval ends
 LEAST_PART = 1e-12  # of an interval: shorter steps are taken whatever their error
 #: Shrink the step to this share when the rates are NaN (a disc that passes through vertical).
 STEP_SHRINK_ON_NAN = 0.1
@@ -129,17 +131,17 @@ def twist(y) -> float:  # type: ignore[no-untyped-def]
 @routine
 def look_at(shape: SolidParameters, work: Workspace) -> None:
     """Store reactions and slip directions at the start of a step."""
-    work.judged[PRESS_BEFORE], work.judged[CONE_BEFORE] = work.judged[PRESS], work.judged[CONE]
+    work.judged.press_before, work.judged.cone_before = work.judged.press, work.judged.cone
     q, y = axes_at(work.state), work.state
     if shape.radius > 0.0:
         begin_rim(work)
         find_rim(shape, work, q, vec(y, W))
-    if work.mode[FRICTION_STATE] == STICKS or work.mode[CONTACT_KIND] == FLIGHT:
+    if work.mode.grip == STICKS or work.mode.kind == FLIGHT:
         return
-    if work.mode[CONTACT_KIND] == WALLED:
+    if work.mode.kind == WALLED:
         note_slips(shape, work, q)
         return
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         point = work.closed[place]
         u = velocity(shape, work, q, y, point)
         speed = math.sqrt(u.x * u.x + u.y * u.y)
@@ -154,16 +156,21 @@ def accept(shape: SolidParameters, work: Workspace, h: float) -> None:
     tally = work.tally
     if shape.straps > 0:
         note_forces(shape, work, h)
-    tally[PEAK] = max(tally[PEAK], peak_between(work.state, work.trial, h))
+    tally.peak = max(tally.peak, peak_between(work.state, work.trial, h))
     copy(work.trial, work.state)
     q = axes_at(work.state)
-    if work.mode[CONTACT_KIND] == FLIGHT:
-        tally[LIFT] = max(tally[LIFT], lowest(shape, work, q, work.state))
-    x = work.state[P] - shape.h * q.x.z - tally[START_X]
-    y = work.state[P + 1] - shape.h * q.y.z - tally[START_Y]
-    tally[FARTHEST] = max(tally[FARTHEST], x * x + y * y)
-    change = twist(work.state) - tally[YAW]
-    tally[YAW] += change - 2.0 * math.pi * math.floor((change + math.pi) / (2.0 * math.pi))
+    if work.mode.kind == FLIGHT and not hangs_over(shape, work):
+        tally.lift = max(tally.lift, clearance(shape, work, q, work.state))
+    if has_edge(shape):
+        look_behind(shape, work)
+        if shape.radius > 0.0:
+            note_rolling_past(shape, work)
+        note_tipping(shape, work)
+    x = work.state[P] - shape.h * q.x.z - tally.start_x
+    y = work.state[P + 1] - shape.h * q.y.z - tally.start_y
+    tally.farthest = max(tally.farthest, x * x + y * y)
+    change = twist(work.state) - tally.yaw
+    tally.yaw += change - 2.0 * math.pi * math.floor((change + math.pi) / (2.0 * math.pi))
 
 
 @routine
@@ -180,12 +187,12 @@ def collect_contacts(shape: SolidParameters, work: Workspace, leaving: float) ->
     first = shape.contacts if leans and lies_on_rim(shape) else 0
     for point in range(first, shape.contacts + (1 if leans else 0)):
         if (
-            height(shape, work, q, y, point) <= shape.limits.landing
+            support_gap(shape, work, q, y, point) <= shape.limits.landing
             and velocity(shape, work, q, y, point).z <= leaving
         ):
             work.near[n] = point
             n += 1
-    work.mode[NEAR] = n
+    work.mode.near = n
 
 
 @routine
@@ -194,19 +201,18 @@ def land(shape: SolidParameters, work: Workspace, f, kind: int) -> None:  # type
     if lies_on_rim(shape) and kind == GAP:
         q = axes_at(work.state)
         sine = math.sqrt(q.z.x**2 + q.z.y**2)
-        if (
-            work.mode[CONTACT_KIND] == CORNER and sine > 2.0 * LEVEL
-        ):  # it has rolled past its bottom
+        if work.mode.kind == CORNER and sine > 2.0 * LEVEL:  # it has rolled past its bottom
             begin_rim(work)
             find_rim(shape, work, q, vec(work.state, W))
             return
         if sine <= 2.0 * LEVEL:
             lay_ring(shape, work)
             lay_flat(shape, work)
-            work.mode[CONTACT_KIND] = FLAT
+            work.mode.kind = FLAT
     collect_contacts(shape, work, math.inf)
-    work.tally[IMPACTS] += 1.0
-    if shape.walls > 0 and gather_touches(shape, work, shape.limits.landing, math.inf, 0.0) > 0:
+    work.tally.impacts += 1.0
+    beside = touches_more(shape)
+    if beside and gather_touches(shape, work, shape.limits.landing, math.inf, 0.0) > 0:
         collide_touches(shape, work)
     else:
         collide(shape, work)
@@ -215,34 +221,97 @@ def land(shape: SolidParameters, work: Workspace, f, kind: int) -> None:  # type
         if lies_on_rim(shape):
             lay_ring(shape, work)
         lay_flat(shape, work)
+    elif settles_at_edge(shape, work):
+        choose_together(shape, work, f)
+        return
     elif not all_but_leaning(shape, work, 0.0):
         collect_contacts(shape, work, shape.limits.leaving)
     choose(shape, work, f)
 
 
 @routine
+def meets(shape: SolidParameters, work: Workspace) -> bool:
+    """Whether a side, or a corner, that follows one which has passed the edge strikes it."""
+    collect_contacts(shape, work, math.inf)
+    gather_touches(shape, work, shape.limits.landing, math.inf, 0.0)
+    q, found = axes_at(work.state), False
+    for place in range(work.mode.touches):
+        u = touch_velocity(work, q, work.state, place)
+        found = found or u.z < -shape.limits.leaving
+    return found
+
+
+@routine
+def bears(shape: SolidParameters, work: Workspace) -> bool:
+    """Whether a body stands on its support, or with its base on the edge of it."""
+    if work.mode.kind != WALLED:
+        return bool(work.mode.kind != FLIGHT)
+    found = False
+    for place in range(work.mode.touches):
+        plane = plane_of(work, place)
+        on_edge = plane > shape.walls and not is_upright_side(shape, work, place)
+        found = found or (work.touches[place].carries > 0 and (plane == 0 or on_edge))
+    return found
+
+
+@kernel
+def is_upright_side(shape: SolidParameters, work: Workspace, place: int) -> bool:
+    """Whether a touch is the line of the edge at a side that is none of the base."""
+    line = plane_of(work, place) == line_plane(shape)
+    return line and not is_of_base(shape, point_of(work, place))
+
+
+@routine
+def note_rolling_past(shape: SolidParameters, work: Workspace) -> None:
+    """Note which points of a circle are past the edge; of those that touch their guards decide."""
+    q, pressed = axes_at(work.state), work.mode.kind == WALLED
+    for point in range(shape.contacts + 1):
+        if not (is_carrying(work, 0, point) if pressed else is_closed(work, point)):
+            off = past_line(shape, work, q, work.state, point)
+            work.past[point] = 1 if off > PAST else 0
+
+
+@kernel
+def note_tipping(shape: SolidParameters, work: Workspace) -> None:
+    """Note how far the axis has turned toward the edge, turn by turn."""
+    q = axes_at(work.state)
+    angle = math.atan2(shape.edge_x * q.x.z + shape.edge_y * q.y.z, q.z.z)
+    change = angle - work.tally.tips
+    work.tally.tips += change - 2.0 * math.pi * math.floor((change + math.pi) / (2.0 * math.pi))
+
+
+@routine
 def respond(shape: SolidParameters, work: Workspace, f, kind: int) -> bool:  # type: ignore[no-untyped-def]
     """Choose the contact mode after an event; return True if none is admissible."""
-    before = work.judged[PAST]
-    work.judged[PAST] = FORCE_PAST
+    before = work.judged.past
+    work.judged.past = FORCE_PAST
     if kind in (GAP, WALL):
         land(shape, work, f, kind)
         return False
+    if kind == PASS:
+        note_past(shape, work, False)
+        look_behind(shape, work)  # sides that can be met now
+    if kind == PASS and meets(shape, work):
+        land(shape, work, f, WALL)
+        return False
     pull_or_not(shape, work)
-    gather_closed(shape, work)
-    rank, hold, first = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE], work.closed[0]
-    n, touching = work.mode[CLOSED], signature(work)
+    if kind == PASS:
+        collect_contacts(shape, work, shape.limits.leaving)
+    else:
+        gather_closed(shape, work)
+    rank, hold, first = work.mode.kind, work.mode.grip, work.closed[0]
+    n, touching = work.mode.closed, signature(work)
     choose(shape, work, f)
     same = (
-        rank == work.mode[CONTACT_KIND]
-        and hold == work.mode[FRICTION_STATE]
-        and n == work.mode[CLOSED]
+        rank == work.mode.kind
+        and hold == work.mode.grip
+        and n == work.mode.closed
         and touching == signature(work)
     )
     if kind == FORCE and same and first == work.closed[0]:
         if before >= MOST_PAST:
             return True
-        work.judged[PAST] = (
+        work.judged.past = (
             before * TOLERANCE_RELAXATION
         )  # no other mode is admissible: this one goes on
         if rank == FLAT and hold != STICKS:
@@ -254,22 +323,24 @@ def respond(shape: SolidParameters, work: Workspace, f, kind: int) -> bool:  # t
 @kernel
 def is_at_rest(shape: SolidParameters, work: Workspace) -> bool:
     """Whether a body lies flat and sticks, or is held beside a wall."""
-    flat = work.mode[CONTACT_KIND] == FLAT and not on_rim(shape, work)
-    sticks = work.mode[FRICTION_STATE] == STICKS
-    return sticks and (flat or work.mode[CONTACT_KIND] == WALLED)
+    flat = work.mode.kind == FLAT and not on_rim(shape, work)
+    sticks = work.mode.grip == STICKS
+    return sticks and (flat or work.mode.kind == WALLED)
 
 
 @routine
 def rest_ends(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> float:
     """The u in the interval at which a body leaves its rest, or may, or NEVER."""
-    plain = shape.straps == 0 and work.mode[CONTACT_KIND] == FLAT
+    plain = shape.straps == 0 and work.mode.kind == FLAT
     if plain and u == 0.0 and rests_throughout(shape, pull):
         return NEVER
     if shape.straps > 0:
         hold_on(shape, work)
-    if work.mode[CONTACT_KIND] == WALLED:
+    if work.mode.kind == WALLED:
         holds = support_holds(shape, work, pull, u)
-        return u if holds else rest_beside_until(shape, work, pull, u)
+        if holds:  # without its walls; what touches a lip stays as it is
+            return NEVER if is_at_edge(shape, work) else u
+        return rest_beside_until(shape, work, pull, u)
     held = pull
     if shape.straps > 0:  # it does not move: the straps' force stays as it is
         held = Pull(with_straps(shape, work, pull.start), pull.change, pull.length)
@@ -279,7 +350,7 @@ def rest_ends(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> 
 @kernel
 def comes_to_rest(shape: SolidParameters, work: Workspace) -> bool:
     """Whether nothing moves any more beside a wall, though its mode is not that of rest."""
-    moves = work.mode[CONTACT_KIND] == WALLED and work.mode[FRICTION_STATE] != STICKS
+    moves = work.mode.kind == WALLED and work.mode.grip != STICKS
     return moves and kinetic_energy(shape, work.state) < NO_MOTION
 
 
@@ -289,7 +360,7 @@ def support_holds(shape: SolidParameters, work: Workspace, pull: Pull, u: float)
 
     Rests end where sliding begins, so that a margin of none is none.
     """
-    if work.mode[CLOSED] < shape.contacts or on_rim(shape, work):
+    if work.mode.closed < shape.contacts or on_rim(shape, work):
         return False
     start = with_straps(shape, work, pull_at(pull, u))
     end = with_straps(shape, work, pull_at(pull, 1.0))
@@ -300,11 +371,11 @@ def support_holds(shape: SolidParameters, work: Workspace, pull: Pull, u: float)
 def signature(work: Workspace) -> int:
     """A number that tells which touches a mode beside a wall has, and what they do; 0 of others."""
     number = 0
-    if work.mode[CONTACT_KIND] == WALLED:
-        for place in range(work.mode[TOUCHES]):
+    if work.mode.kind == WALLED:
+        for place in range(work.mode.touches):
             touch = work.touches[place]
             each = 64 * plane_of(work, place) + point_of(work, place)
-            each = 4 * each + 2 * (touch[MOVES] > 0.0) + (touch[CARRIES] > 0.0)
+            each = 4 * each + 2 * (touch.moves > 0) + (touch.carries > 0)
             number = 31 * number + each + 1
     return number
 
@@ -313,15 +384,15 @@ def signature(work: Workspace) -> int:
 def gather_closed(shape: SolidParameters, work: Workspace) -> None:
     """Note the closed points as those on the support; beside a wall some may have left it."""
     q, n = axes_at(work.state), 0
-    beside = work.mode[CONTACT_KIND] == WALLED
+    beside = work.mode.kind == WALLED
     if beside and on_rim(shape, work):
         find_rim(shape, work, q, vec(work.state, W))
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         point = work.closed[place]
-        if not beside or height(shape, work, q, work.state, point) <= shape.limits.landing:
+        if not beside or (support_gap(shape, work, q, work.state, point) <= shape.limits.landing):
             work.near[n] = point
             n += 1
-    work.mode[NEAR] = n
+    work.mode.near = n
 
 
 @routine
@@ -337,9 +408,9 @@ def cross_interval(
         the next interval's first step may try.
     """
     u, part, fresh, events, steps = 0.0, first, True, 0, 0
-    most = BUDGET if work.tally[EVENTS] < LONG_RUN_EVENTS else REDUCED_EVENTS
-    slides = work.mode[CONTACT_KIND] == FLAT  # sliding on a flat base needs the most steps
-    most_steps = REDUCED_STEPS if slides and work.tally[STEPS] >= LONG_RUN_STEPS else STEP_BUDGET
+    most = BUDGET if work.tally.events < LONG_RUN_EVENTS else REDUCED_EVENTS
+    slides = work.mode.kind == FLAT  # sliding on a flat base needs the most steps
+    most_steps = REDUCED_STEPS if slides and work.tally.steps >= LONG_RUN_STEPS else STEP_BUDGET
     while u < 1.0:
         if u == 0.0 and events == 0 and comes_to_rest(shape, work):
             gather_closed(shape, work)
@@ -350,57 +421,58 @@ def cross_interval(
                 return GOES_ON, 1.0, 1.0
             u = u_rest
             gather_closed(shape, work)
-            work.judged[PAST] = FORCE_PAST
+            work.judged.past = FORCE_PAST
             choose(shape, work, pull_at(pull, u))
             fresh, part = True, 1.0 - u
-            work.tally[EVENTS] += 1.0
+            work.tally.events += 1.0
             events += 1
             if u >= 1.0:
                 break
-            if work.mode[CONTACT_KIND] == WALLED:  # other rows may hold it on
+            if work.mode.kind == WALLED:  # other rows may hold it on
                 if events > most:
-                    return FELL if creep(shape, work, pull, u) else GOES_ON, 1.0, part
+                    return creep(shape, work, pull, u), 1.0, part
                 continue
         if fresh:
             rates(shape, work, work.state, pull_at(pull, u), True, work.stages[0])
             look_at(shape, work)
         du = min(part, 1.0 - u)
-        if shape.radius > 0.0 and work.mode[CONTACT_KIND] == CORNER:
+        if shape.radius > 0.0 and work.mode.kind == CORNER:
             du = min(du, rim_part(work, pull))
-        if fresh and work.mode[FRICTION_STATE] == SLIPS and work.mode[CONTACT_KIND] != FLIGHT:
+        if fresh and work.mode.grip == SLIPS and work.mode.kind != FLIGHT:
             du = min(du, slip_part(shape, work, pull, u))
         fresh = False
         du = max(du, LEAST_PART)
         error = take_step(shape, work, pull, u, du)
-        work.tally[STEPS] += 1.0
+        work.tally.steps += 1.0
         steps += 1
         if steps > most_steps:
-            return FELL if creep(shape, work, pull, u) else GOES_ON, 1.0, part
+            return creep(shape, work, pull, u), 1.0, part
         if not error <= 1.0 and du > LEAST_PART:  # nor if it is no number
             part = next_part(du, error) if error > 1.0 else STEP_SHRINK_ON_NAN * du
             continue
         if not is_finite(work.trial):
-            return FELL if creep(shape, work, pull, u) else GOES_ON, 1.0, STEP_SHRINK_ON_NAN * part
+            return creep(shape, work, pull, u), 1.0, STEP_SHRINK_ON_NAN * part
         guard = least_guard(shape, work, work.trial, work.stages[6], GAP_SEEN, du * pull.length)
         if guard.least < 0.0:
             du, kind = find_event(shape, work, pull, u, du, guard)
             if not is_finite(work.trial):
-                return (
-                    FELL if creep(shape, work, pull, u) else GOES_ON,
-                    1.0,
-                    STEP_SHRINK_ON_NAN * part,
-                )
+                return creep(shape, work, pull, u), 1.0, STEP_SHRINK_ON_NAN * part
             accept(shape, work, du * pull.length)
             u += du
-            work.clock[CLOCK + 1] = u * pull.length
+            work.clock.passed = u * pull.length
             if kind == FALL:
-                work.tally[PEAK] = 1.0
+                work.tally.peak = 1.0
                 return FELL, u, part
+            if kind == LANDING:
+                return LANDED, u, part
+            stood = bears(shape, work)
             jams = respond(shape, work, pull_at(pull, min(u, 1.0)), kind)
-            work.tally[EVENTS] += 1.0
+            if stood and not bears(shape, work):
+                work.tally.left_at = work.clock.begun + work.clock.passed
+            work.tally.events += 1.0
             events += 1
             if jams or events > most:
-                return FELL if creep(shape, work, pull, u) else GOES_ON, 1.0, part
+                return creep(shape, work, pull, u), 1.0, part
             fresh, part = True, max(part, 1e-3)
             continue
         accept(shape, work, du * pull.length)
@@ -408,7 +480,7 @@ def cross_interval(
         u = 1.0 if 1.0 - u - du < LEAST_PART else u + du
         if wobbles_out(shape, work):
             land(shape, work, pull_at(pull, u), GAP)
-            work.tally[EVENTS] += 1.0
+            work.tally.events += 1.0
             fresh, part = True, max(part, 1e-3)
             continue
         copy(work.stages[6], work.stages[0])
@@ -420,7 +492,7 @@ def cross_interval(
 def wobbles_out(shape: SolidParameters, work: Workspace) -> bool:
     """Whether a circle that loses energy as it rolls has come to lie all but flat."""
     loses = lies_on_rim(shape) and (shape.rolling > 0.0 or shape.contour > 0.0)
-    low = loses and work.mode[CONTACT_KIND] == CORNER and lean(work.state) <= 4.0 * LEVEL * LEVEL
+    low = loses and work.mode.kind == CORNER and lean(work.state) <= 4.0 * LEVEL * LEVEL
     return low and lean_rate(work.state) < 0.0
 
 
@@ -445,10 +517,10 @@ def slip_part(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> 
     size = math.sqrt(dot(f, f))
     across = max(shape.mobility.xx, shape.mobility.yy)
     give = 1.0 + across * shape.h * shape.h + shape.mobility.zz * shape.reach * shape.reach
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         point = work.closed[place]
         if slips_at(work, point):
             v = velocity(shape, work, q, y, point)
             speed = max(shape.limits.turning, math.sqrt(v.x * v.x + v.y * v.y))
-            fastest = max(fastest, work.points[point, KINETIC] * size * give / speed)
+            fastest = max(fastest, work.points[point].kinetic * size * give / speed)
     return FIRST_SLIP / (fastest * pull.length) if fastest > 0.0 else 1.0

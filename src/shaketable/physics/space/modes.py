@@ -17,24 +17,16 @@ from shaketable.physics.space.contacts import (
 from shaketable.physics.space.step import put_back
 from shaketable.physics.space.vectors import Vec, on_support
 from shaketable.physics.space.workspace import (
-    CLOSED,
-    CONTACT_KIND,
     CORNER,
     EDGE,
-    FIRST,
     FLAT,
     FLIGHT,
-    FRICTION_STATE,
-    LAST,
-    PIVOT,
     PIVOTS,
     SLIPS,
     P,
     SolidParameters,
     W,
     Workspace,
-    X,
-    Y,
     vec,
 )
 
@@ -44,7 +36,7 @@ OPPOSITE_TOLERANCE = 1e-6  # of the radius: points whose middle is nearer to the
 
 @kernel
 def distance2(work: Workspace, a: int, b: int) -> float:
-    x, y = work.points[a, X] - work.points[b, X], work.points[a, Y] - work.points[b, Y]
+    x, y = work.points[a].x - work.points[b].x, work.points[a].y - work.points[b].y
     return float(x * x + y * y)
 
 
@@ -52,7 +44,7 @@ def distance2(work: Workspace, a: int, b: int) -> float:
 def farthest(work: Workspace, origin: int) -> int:
     """The place of the closed point that is farthest from a point."""
     best, most = 0, -1.0
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         d = distance2(work, origin, work.closed[place])
         if d > most:
             best, most = place, d
@@ -62,61 +54,61 @@ def farthest(work: Workspace, origin: int) -> int:
 @routine
 def arrange(shape: SolidParameters, work: Workspace, hold: int, pivot: int) -> None:
     """Write the mode of the closed points: how they lie, and how they may share the pressure."""
-    mode, n = work.mode, work.mode[CLOSED]
-    mode[FRICTION_STATE], mode[PIVOT] = hold, pivot
-    mode[FIRST], mode[LAST] = 0, 0
-    mode[CONTACT_KIND] = min(n, CORNER) if n > 0 else FLIGHT
+    mode, n = work.mode, work.mode.closed
+    mode.grip, mode.pivot = hold, pivot
+    mode.first, mode.last = 0, 0
+    mode.kind = min(n, CORNER) if n > 0 else FLIGHT
     if n == 0:
-        mode[FRICTION_STATE] = SLIPS
+        mode.grip = SLIPS
     if n >= 2:
-        mode[LAST] = farthest(work, work.closed[0])
-        mode[FIRST] = farthest(work, work.closed[mode[LAST]])
+        mode.last = farthest(work, work.closed[0])
+        mode.first = farthest(work, work.closed[mode.last])
         e = side_direction(shape, work)
-        origin = work.closed[mode[FIRST]]
+        origin = work.closed[mode.first]
         off = 0.0
         for place in range(n):
             point = work.closed[place]
-            across = e.x * (work.points[point, Y] - work.points[origin, Y])
-            across -= e.y * (work.points[point, X] - work.points[origin, X])
+            across = e.x * (work.points[point].y - work.points[origin].y)
+            across -= e.y * (work.points[point].x - work.points[origin].x)
             off = max(off, abs(across))
-        mode[CONTACT_KIND] = EDGE if off <= IN_LINE * shape.reach else FLAT
-    e = side_direction(shape, work) if mode[CONTACT_KIND] == EDGE else Vec(1.0, 0.0, 0.0)
+        mode.kind = EDGE if off <= IN_LINE * shape.reach else FLAT
+    e = side_direction(shape, work) if mode.kind == EDGE else Vec(1.0, 0.0, 0.0)
     for place in range(n):
         point = work.closed[place]
         work.carries[place] = 1
         work.basis[place, 0] = 1.0
         # in parts of the reach: in metres those of a small body in a line would look singular
-        along, across = work.points[point, X] / shape.reach, work.points[point, Y] / shape.reach
-        work.basis[place, 1] = e.x * along + e.y * across if mode[CONTACT_KIND] == EDGE else along
+        along, across = work.points[point].x / shape.reach, work.points[point].y / shape.reach
+        work.basis[place, 1] = e.x * along + e.y * across if mode.kind == EDGE else along
         work.basis[place, 2] = across
 
 
 @routine
 def lay_ring(shape: SolidParameters, work: Workspace) -> None:
     """Turn a circle's ring of points so that one of the rim is at its contact."""
-    first = math.atan2(work.rim[1], work.rim[0])
+    first = math.atan2(work.rim.y, work.rim.x)
     for k in range(shape.contacts):
         angle = first + 2.0 * math.pi * k / shape.hull
         radius = shape.radius if k < shape.hull else shape.inner * shape.radius
-        work.points[k, X] = radius * math.cos(angle)
-        work.points[k, Y] = radius * math.sin(angle)
+        work.points[k].x = radius * math.cos(angle)
+        work.points[k].y = radius * math.sin(angle)
 
 
 @routine
 def take_rim(shape: SolidParameters, work: Workspace) -> None:
     """Let a circle that stands on one or two points of its ring stand on its rim there."""
-    n = work.mode[CLOSED]
-    if not lies_on_rim(shape) or n == 0 or work.mode[CONTACT_KIND] == FLAT:
+    n = work.mode.closed
+    if not lies_on_rim(shape) or n == 0 or work.mode.kind == FLAT:
         return
     x, y = 0.0, 0.0
     for place in range(n):
-        x += work.points[work.closed[place], X]
-        y += work.points[work.closed[place], Y]
+        x += work.points[work.closed[place]].x
+        y += work.points[work.closed[place]].y
     size = math.sqrt(x * x + y * y)
     if (
         size < OPPOSITE_TOLERANCE * shape.radius
     ):  # two points across from each other: either will do
-        x, y = work.points[work.closed[0], X], work.points[work.closed[0], Y]
+        x, y = work.points[work.closed[0]].x, work.points[work.closed[0]].y
         size = math.sqrt(x * x + y * y)
     stand_on_rim(shape, work, x / size, y / size)
 
@@ -125,26 +117,26 @@ def take_rim(shape: SolidParameters, work: Workspace) -> None:
 def stand_on_rim(shape: SolidParameters, work: Workspace, x: float, y: float) -> None:
     """Close the rim at an azimuth (unit vector) alone."""
     last = shape.contacts
-    work.rim[0] = work.rim[4] = x
-    work.rim[1] = work.rim[5] = y
-    work.rim[2] = work.rim[3] = 0.0
-    work.points[last, X] = shape.radius * x
-    work.points[last, Y] = shape.radius * y
+    work.rim.x = work.rim.before_x = x
+    work.rim.y = work.rim.before_y = y
+    work.rim.along_x = work.rim.along_y = 0.0
+    work.points[last].x = shape.radius * x
+    work.points[last].y = shape.radius * y
     work.closed[0] = last
-    work.mode[CLOSED] = 1
+    work.mode.closed = 1
 
 
 @routine
 def keep_anchor(shape: SolidParameters, work: Workspace) -> None:
     """Remember where a contact that sticks is."""
-    if work.mode[FRICTION_STATE] == SLIPS or work.mode[CLOSED] == 0:
+    if work.mode.grip == SLIPS or work.mode.closed == 0:
         return
-    point = work.mode[PIVOT] if work.mode[FRICTION_STATE] == PIVOTS else work.closed[0]
+    point = work.mode.pivot if work.mode.grip == PIVOTS else work.closed[0]
     q = axes_at(work.state)
     place = on_support(q, arm(shape, work, point))
     work.anchor[0] = work.state[P] + place.x
     work.anchor[1] = work.state[P + 1] + place.y
-    if work.mode[CONTACT_KIND] == EDGE:
+    if work.mode.kind == EDGE:
         d = on_support(q, side_direction(shape, work))
         size = math.sqrt(d.x * d.x + d.y * d.y)
         work.anchor[2] = d.x / size
@@ -154,7 +146,7 @@ def keep_anchor(shape: SolidParameters, work: Workspace) -> None:
 @routine
 def enter(shape: SolidParameters, work: Workspace) -> None:
     """Begin the mode that is written: end the velocities that it does not allow."""
-    if work.mode[CLOSED] == 0:
+    if work.mode.closed == 0:
         return
     y = work.state
     arrest(shape, work, axes_at(y), y, 0.0)

@@ -24,21 +24,12 @@ from shaketable.physics.space.straps import add_straps
 from shaketable.physics.space.vectors import ZERO, Axes, Vec, on_support, subtract
 from shaketable.physics.space.walled import react_at_walls
 from shaketable.physics.space.workspace import (
-    CLOSED,
-    CONE,
-    CONTACT_KIND,
     CORNER,
     EDGE,
-    FIRST,
     FLAT,
     FLIGHT,
-    FRICTION_STATE,
-    LAST,
-    PIVOT,
     PIVOTS,
-    PRESS,
     SLIPS,
-    STATIC,
     STICKS,
     WALLED,
     Floats,
@@ -48,8 +39,6 @@ from shaketable.physics.space.workspace import (
     V,
     W,
     Workspace,
-    X,
-    Y,
     put,
     vec,
 )
@@ -81,7 +70,7 @@ def slip_flat(
         if press >= 0.0:
             write_rates(dy, y, linear, ZERO)
             if judge:
-                work.judged[PRESS], work.judged[CONE] = press, NO_CONE
+                work.judged.press, work.judged.cone = press, NO_CONE
             return True
     linear, rate, found = slide_and_turn(shape, work, q, y, f)
     if found:
@@ -99,11 +88,11 @@ def rates(
     if shape.straps > 0:
         f = add_straps(shape, work, axes_at(y), y, f)
     q = axes_at(y)
-    rank, hold = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE]
+    rank, hold = work.mode.kind, work.mode.grip
     if rank == FLIGHT:
         write_rates(dy, y, f, free_turning(shape, work, vec(y, W)))
-        work.judged[PRESS] = NO_CONE
-        work.judged[CONE] = NO_CONE
+        work.judged.press = NO_CONE
+        work.judged.cone = NO_CONE
         return
     if rank == WALLED:
         linear, turn = react_at_walls(shape, work, q, y, f)
@@ -123,7 +112,7 @@ def rates(
         linear, turn = rock(shape, work, q, y, f)
     elif rank == CORNER and hold == SLIPS:
         linear, turn = slip(shape, work, q, y, f)
-    elif rank == EDGE and hold == SLIPS and work.mode[CLOSED] == EDGE:
+    elif rank == EDGE and hold == SLIPS and work.mode.closed == EDGE:
         linear, turn = slip_on_two(shape, work, q, y, f)
     else:
         linear, turn = react(shape, work, q, y, f)
@@ -142,7 +131,7 @@ def spare(work: Workspace, place: int) -> float:
     """μ_s N less the friction of a closed place."""
     share = work.shares[place]
     size = math.sqrt(share[0] * share[0] + share[1] * share[1])
-    return limit(work.points[work.closed[place], STATIC], share[2]) - size
+    return limit(work.points[work.closed[place]].static, share[2]) - size
 
 
 @kernel
@@ -158,13 +147,13 @@ def write_side(shape: SolidParameters, work: Workspace, q: Axes) -> None:
     The first place gets the reaction of the side's first corner, the second that of its last, but
     for the force along the side, of which only the sum is known: it is in the third row's x.
     """
-    first, last = work.closed[work.mode[FIRST]], work.closed[work.mode[LAST]]
+    first, last = work.closed[work.mode.first], work.closed[work.mode.last]
     a = on_support(q, arm(shape, work, first))
     side = subtract(on_support(q, arm(shape, work, last)), a)
     length = math.sqrt(side.x * side.x + side.y * side.y)
     e_x, e_y = side.x / length, side.y / length
     total, moment = 0.0, 0.0  # the pressure, and its moment about the first corner
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         r = on_support(q, arm(shape, work, work.closed[place]))
         total += work.shares[place, 2]
         moment += work.shares[place, 2] * (e_x * (r.x - a.x) + e_y * (r.y - a.y))
@@ -183,54 +172,54 @@ def write_side(shape: SolidParameters, work: Workspace, q: Axes) -> None:
 def judge_side(work: Workspace) -> None:
     """How sure a side whose corners stick is: some split of the force along it has to hold."""
     first, last = work.shares[0], work.shares[1]
-    work.judged[PRESS] = min(first[2], last[2])
+    work.judged.press = min(first[2], last[2])
     spares, excess = 0.0, 0.0
     for place in range(2):
         share = work.shares[place]
-        point = work.closed[work.mode[FIRST] if place == 0 else work.mode[LAST]]
-        most = max(limit(work.points[point, STATIC], share[2]), 0.0)
+        point = work.closed[work.mode.first if place == 0 else work.mode.last]
+        most = max(limit(work.points[point].static, share[2]), 0.0)
         across = math.sqrt(share[0] * share[0] + share[1] * share[1])
         if across > most:
             excess = max(excess, across - most)
         else:
             spares += math.sqrt((most - across) * (most + across))
     margin = spares - abs(work.shares[2, 0])
-    work.judged[CONE] = -excess if excess > 0.0 else margin
+    work.judged.cone = -excess if excess > 0.0 else margin
 
 
 @routine
 def judge_contact(shape: SolidParameters, work: Workspace, q: Axes, y: Floats) -> None:
     """How sure any other contact is."""
-    rank, hold, n = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE], work.mode[CLOSED]
+    rank, hold, n = work.mode.kind, work.mode.grip, work.mode.closed
     total, along, across, least = 0.0, 0.0, 0.0, 0.0
     for place in range(n):
         point = work.closed[place]
         least = min(least, work.shares[place, 2])
         total += work.shares[place, 2]
-        along += work.shares[place, 2] * work.points[point, X]
-        across += work.shares[place, 2] * work.points[point, Y]
-    work.judged[CONE] = NO_CONE
+        along += work.shares[place, 2] * work.points[point].x
+        across += work.shares[place, 2] * work.points[point].y
+    work.judged.cone = NO_CONE
     if rank == CORNER:
-        work.judged[PRESS] = total
+        work.judged.press = total
         if hold == STICKS:
-            work.judged[CONE] = spare(work, 0)
+            work.judged.cone = spare(work, 0)
         return
     if rank == EDGE:
-        a, b = work.closed[work.mode[FIRST]], work.closed[work.mode[LAST]]
-        x, z = work.points[b, X] - work.points[a, X], work.points[b, Y] - work.points[a, Y]
+        a, b = work.closed[work.mode.first], work.closed[work.mode.last]
+        x, z = work.points[b].x - work.points[a].x, work.points[b].y - work.points[a].y
         length2 = x * x + z * z
-        part = x * (along - total * work.points[a, X]) + z * (across - total * work.points[a, Y])
-        work.judged[PRESS] = min(part / length2, total - part / length2)
+        part = x * (along - total * work.points[a].x) + z * (across - total * work.points[a].y)
+        work.judged.press = min(part / length2, total - part / length2)
     else:
-        work.judged[PRESS] = flat_margin(shape, work, total, along, across)
+        work.judged.press = flat_margin(shape, work, total, along, across)
         if on_rim(shape, work):  # the three points of which one is the rim press or pull
-            work.judged[PRESS] = min(work.shares[0, 2], min(work.shares[1, 2], work.shares[2, 2]))
+            work.judged.press = min(work.shares[0, 2], min(work.shares[1, 2], work.shares[2, 2]))
         if least < -ROUND_OFF * total:  # no pressures without a pull were found: it lifts
-            work.judged[PRESS] = min(work.judged[PRESS], least)
+            work.judged.press = min(work.judged.press, least)
         if hold == STICKS:  # it does not turn: the resultant passes through the base as one force
             size = math.sqrt(work.shares[0, 0] ** 2 + work.shares[0, 1] ** 2)
-            work.judged[CONE] = limit(shape.least_static, total) - size
+            work.judged.cone = limit(shape.least_static, total) - size
     if hold == PIVOTS:
         for place in range(n):
-            if work.closed[place] == work.mode[PIVOT]:
-                work.judged[CONE] = spare(work, place)
+            if work.closed[place] == work.mode.pivot:
+                work.judged.cone = spare(work, place)

@@ -19,7 +19,7 @@ from shaketable.physics.space.rates import limit
 from shaketable.physics.space.step import Pull, pull_at
 from shaketable.physics.space.straps import pulls_any
 from shaketable.physics.space.vectors import Vec
-from shaketable.physics.space.workspace import NEAR, SolidParameters, Workspace
+from shaketable.physics.space.workspace import SolidParameters, Workspace
 
 NEVER = 2.0  # in place of the part of an interval
 PAST = 1e-9  # m/s²: a body leaves its rest where it is past the limit by this much
@@ -59,14 +59,14 @@ def stand_all(shape: SolidParameters, work: Workspace) -> None:
     """All points are on the support."""
     for point in range(shape.contacts):
         work.near[point] = point
-    work.mode[NEAR] = shape.contacts
+    work.mode.near = shape.contacts
 
 
 @routine
 def holds_together(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
     """Whether points with frictions of their own hold a body."""
     stand_all(shape, work)
-    for place in range(work.mode[NEAR]):
+    for place in range(work.mode.near):
         work.moving[work.near[place]] = 0
     left = flat_grip(shape, work, axes_at(work.state), f, 1)
     return 0.0 <= left <= shape.limits.starting

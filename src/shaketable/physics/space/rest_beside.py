@@ -7,16 +7,16 @@ of a few independent rows (`walled`) are tried first, as it is soon known whethe
 from __future__ import annotations
 
 from shaketable.compiled import routine
-from shaketable.physics.space.beside import SLACK, STARTS, is_small, write_free
+from shaketable.physics.space.beside import is_small, some_hold
 from shaketable.physics.space.contacts import axes_at
 from shaketable.physics.space.rates import rates
 from shaketable.physics.space.rest import NEVER
 from shaketable.physics.space.step import Pull, pull_at
-from shaketable.physics.space.together import hold_touches
+from shaketable.physics.space.tries import SLACK
 from shaketable.physics.space.vectors import Vec
-from shaketable.physics.space.workspace import CONE, PRESS, SolidParameters, Workspace
+from shaketable.physics.space.workspace import SolidParameters, Workspace
 
-PAST = 2.0  # times SLACK: rows that hold a body at rest hold it no longer
+PAST = 4.0  # times SLACK: rows that hold a body at rest hold it no longer
 # Of an interval, to where a rest ends: by its rows, and by all touches together.
 REST_HALVINGS, HELD_HALVINGS = 30, 8
 
@@ -31,15 +31,14 @@ def rests_beside(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
 def rows_hold(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
     """Whether those of the rows that are kept do."""
     rates(shape, work, work.state, f, True, work.stages[0])
-    margin = min(work.judged[PRESS], work.judged[CONE])
+    margin = min(work.judged.press, work.judged.cone)
     return margin >= -PAST * SLACK and is_small(shape, work.stages[0])
 
 
 @routine
 def is_held(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
     """Whether those of all touches do."""
-    write_free(shape, work, axes_at(work.state), f)
-    return hold_touches(shape, work, STARTS)
+    return some_hold(shape, work, axes_at(work.state), f)
 
 
 @routine

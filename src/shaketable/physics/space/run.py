@@ -9,13 +9,22 @@ import numpy as np
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.contacts import LEVEL, arm, axes_at, begin_rim, height, on_rim
-from shaketable.physics.space.edge import LANDING_TIME, leaves_support, write_edge
+from shaketable.physics.space.edge import (
+    beyond,
+    has_edge,
+    is_off,
+    look_behind,
+    note_past,
+    stand_at_edge,
+)
 from shaketable.physics.space.guards import FORCE_PAST, GAP, peak_between
 from shaketable.physics.space.impact import kinetic_energy
-from shaketable.physics.space.interval import GOES_ON, copy, cross_interval, land, twist
+from shaketable.physics.space.interval import bears, copy, cross_interval, land, twist
+from shaketable.physics.space.landing import LANDING_TIME, LEFT_AT, write_edge
 from shaketable.physics.space.pads import NEVER, glued_until
 from shaketable.physics.space.rest import rest_margin
 from shaketable.physics.space.rest_beside import rests_beside
+from shaketable.physics.space.settling import GOES_ON, LANDED
 from shaketable.physics.space.step import Pull, pull_at
 from shaketable.physics.space.straps import (
     attach,
@@ -23,45 +32,28 @@ from shaketable.physics.space.straps import (
     strap_energy,
     with_straps,
 )
+from shaketable.physics.space.touches import plane_of, touches_more
 from shaketable.physics.space.vectors import Vec, add, cross, dot, subtract, times
 from shaketable.physics.space.walls import stand_at_walls
 from shaketable.physics.space.workspace import (
-    BROKE,
-    CLOCK,
-    CLOSED,
-    CONTACT_KIND,
-    EVENTS,
-    FARTHEST,
     FLAT,
-    FORCE_PEAK,
-    FRICTION_STATE,
-    IMPACTS,
-    KINETIC,
-    LIFT,
-    PAST,
-    PEAK,
     SLIPS,
-    START_X,
-    START_Y,
     STATE,
-    STEPS,
     STICKS,
-    TALLY,
     WALLED,
-    YAW,
     Floats,
     P,
     Q,
     SolidParameters,
+    V,
     Workspace,
-    X,
-    Y,
     vec,
 )
 from shaketable.units import STANDARD_GRAVITY
 
 # How a run ends.
 STANDING, OVERTURNED, STILL_MOVING, STILL_SLIDING = range(4)
+ON_EDGE = 5  # in a history, beside the kinds of a mode: the edge of the support is touched
 #: What to tell the user of the irregular endings, after "the solid" or "3 of 100 simulations".
 SENTENCES = {
     STILL_MOVING: "still moved when given up: ten seconds after the motion's end, without the "
@@ -189,32 +181,47 @@ def place(shape: SolidParameters, work: Workspace, orientation: float) -> None:
 @routine
 def begin(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     """Find what a solid does from its state on, which may be any above the support."""
-    for j in range(TALLY):
-        work.tally[j] = 0.0
-    work.tally[YAW] = twist(work.state)
-    work.tally[PEAK] = peak_between(work.state, work.state, 0.0)
+    tally = work.tally
+    tally.lift = tally.events = tally.steps = 0.0
+    tally.energy_cuts = tally.fallbacks = tally.farthest = tally.left_at = tally.tips = 0.0
+    tally.yaw = twist(work.state)
+    tally.peak = peak_between(work.state, work.state, 0.0)
     foot = foot_of(shape, work)
-    work.tally[START_X], work.tally[START_Y] = foot.x, foot.y
+    tally.start_x, tally.start_y = foot.x, foot.y
     for k in range(shape.contacts + 1):
         work.moving[k] = 0
-    work.judged[PAST] = FORCE_PAST
-    work.mode[CONTACT_KIND] = work.mode[CLOSED] = 0
+    work.judged.past = FORCE_PAST
+    work.mode.kind = work.mode.closed = 0
     n = axes_at(work.state).z
     sine = math.sqrt(n.x * n.x + n.y * n.y)
-    work.rim[0], work.rim[1] = (-n.x / sine, -n.y / sine) if sine > LEVEL else (1.0, 0.0)
+    work.rim.x, work.rim.y = (-n.x / sine, -n.y / sine) if sine > LEVEL else (1.0, 0.0)
     begin_rim(work)
-    work.clock[CLOCK] = work.clock[CLOCK + 1] = 0.0
+    work.clock.begun = work.clock.passed = 0.0
     attach(shape, work)
+    if has_edge(shape):
+        stand_at_edge(shape, work)
+        note_past(shape, work, True)
+        look_behind(shape, work)
     land(shape, work, f, GAP)
-    work.tally[IMPACTS] = 0.0
+    work.tally.impacts = 0.0
 
 
-@kernel
-def record(trace: SolidTrace, sample: int, work: Workspace) -> None:
+@routine
+def is_on_edge(shape: SolidParameters, work: Workspace) -> bool:
+    """Whether the edge of the support, or its lip, is touched and no wall."""
+    edge, wall = False, False
+    for place in range(work.mode.touches if work.mode.kind == WALLED else 0):
+        edge = edge or plane_of(work, place) > shape.walls
+        wall = wall or 0 < plane_of(work, place) <= shape.walls
+    return edge and not wall
+
+
+@routine
+def record(shape: SolidParameters, trace: SolidTrace, sample: int, work: Workspace) -> None:
     if sample < trace.state.shape[0]:
         copy(work.state, trace.state[sample])
-        trace.rank[sample] = work.mode[CONTACT_KIND]
-        trace.hold[sample] = work.mode[FRICTION_STATE]
+        trace.rank[sample] = ON_EDGE if is_on_edge(shape, work) else work.mode.kind
+        trace.hold[sample] = work.mode.grip
 
 
 @routine
@@ -232,18 +239,22 @@ def cannot_fall(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
     if shape.straps > 0:
         energy += strap_energy(shape, work)
     least = math.inf
+    if has_edge(shape):
+        out = shape.edge_x * f.x + shape.edge_y * f.y
+        least = tipping_energy(-beyond(shape, foot), shape.h, out, -f.z)
     if shape.radius > 0.0:  # over its rim, which stands lower than before by the rise
         along = math.sqrt(f.x * f.x + f.y * f.y)
-        least = tipping_energy(shape.radius, shape.h - shape.rise, along, -f.z) + shape.rise * f.z
+        rim = tipping_energy(shape.radius, shape.h - shape.rise, along, -f.z)
+        least = min(least, rim + shape.rise * f.z)
     else:
         f_x, f_y = q.x.x * f.x + q.y.x * f.y, q.x.y * f.x + q.y.y * f.y
         for k in range(shape.hull):
             j = k + 1 if k + 1 < shape.hull else 0
-            dx = work.points[j, X] - work.points[k, X]
-            dy = work.points[j, Y] - work.points[k, Y]
+            dx = work.points[j].x - work.points[k].x
+            dy = work.points[j].y - work.points[k].y
             length = math.sqrt(dx * dx + dy * dy)
             out_x, out_y = dy / length, -dx / length
-            distance = out_x * work.points[k, X] + out_y * work.points[k, Y]
+            distance = out_x * work.points[k].x + out_y * work.points[k].y
             out = out_x * f_x + out_y * f_y
             least = min(least, tipping_energy(distance, shape.h, out, -f.z))
     return bool(energy < least)
@@ -259,21 +270,27 @@ def tipping_energy(distance: float, h: float, out: float, down: float) -> float:
 
 @kernel
 def slides_on(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
-    """Whether a body slides flat and nothing slows it down."""
-    if work.mode[CONTACT_KIND] != FLAT or work.mode[FRICTION_STATE] != SLIPS:
+    """Whether a body slides flat, and nothing slows it down or lies ahead."""
+    if work.mode.kind != FLAT or work.mode.grip != SLIPS:
         return False
     if holds_any(shape, work):
         return False
+    v = vec(work.state, V)
+    ahead = has_edge(shape) and shape.edge_x * v.x + shape.edge_y * v.y > 0.0
+    for wall in range(1, shape.walls + 1):
+        ahead = ahead or dot(vec(work.planes[wall].normal, 0), v) < 0.0
+    if ahead:
+        return False
     most = 0.0
     for k in range(shape.contacts):
-        most = max(most, work.points[k, KINETIC])
+        most = max(most, work.points[k].kinetic)
     return math.sqrt(f.x * f.x + f.y * f.y) + most * f.z >= -MARGINAL
 
 
 @kernel
 def effort(work: Workspace) -> float:
     """What a run has computed so far, in steps."""
-    return float(work.tally[STEPS] + PER_EVENT * work.tally[EVENTS])
+    return float(work.tally.steps + PER_EVENT * work.tally.events)
 
 
 @routine
@@ -290,54 +307,55 @@ def run(
     frame = tilted(stand)
     before = force_at(ground, 0, stand, frame)
     origin = foot_of(shape, work)
-    if shape.walls > 0:
+    if touches_more(shape):
         stand_at_walls(shape, work, frame.axis, frame.sine, frame.cosine)
     begin(shape, work, before)
-    start_yaw = work.tally[YAW]
+    start_yaw = work.tally.yaw
     ending, h, start, first = STILL_MOVING, ground.time_step, 0.0, 1.0
     glued, span = shape.glue > 0.0, ground.time_step
     passed, done, was_x, was_y = 0.0, 0.0, math.nan, math.nan
     calm, least = 0, CALM_ENERGY * STANDARD_GRAVITY * shape.h
-    shaken, shaken_yaw, left = origin, start_yaw, False
+    shaken, shaken_yaw, how = origin, start_yaw, GOES_ON
     end = (samples - 1) * ground.time_step
     free_h = max(ground.time_step, FREE_STEP)
-    last = samples - 1 + int(math.ceil(FREE_LIMIT / free_h))  # noqa: RUF046  a float on a GPU
+    last = samples - 1 + math.ceil(FREE_LIMIT / free_h)
     for i in range(last):
-        record(trace, sample, work)
+        record(shape, trace, sample, work)
         sample += 1
         free = i >= samples - 1
         if i == samples - 1:
             h, done = free_h, effort(work)
-            shaken, shaken_yaw = foot_of(shape, work), work.tally[YAW]
+            shaken, shaken_yaw = foot_of(shape, work), work.tally.yaw
         start = i * h if not free else end + (i - samples + 1) * h
         after = force_at(ground, i + 1 if not free else samples, stand, frame)
-        work.clock[CLOCK], work.clock[CLOCK + 1] = start, 0.0
+        work.clock.begun, work.clock.passed = start, 0.0
         if free:
             before = after
-            if shape.straps + shape.walls > 0 and work.mode[CONTACT_KIND] != FLAT:
+            if (shape.straps > 0 or touches_more(shape)) and work.mode.kind != FLAT:
                 calm = calm + 1 if kinetic_energy(shape, work.state) < least else 0
                 if calm >= CALM:
                     ending = STANDING
                     break
-            if work.mode[CONTACT_KIND] == FLAT:
+            if work.mode.kind == FLAT:
                 x, y = work.state[P], work.state[P + 1]
                 stays = abs(x - was_x) + abs(y - was_y) < STICK_TOLERANCE
                 was_x, was_y = x, y
                 held = with_straps(shape, work, after)
                 rests = not on_rim(shape, work) and rest_margin(shape, work, held) >= 0.0
-                if work.mode[FRICTION_STATE] == STICKS and (stays or rests):
+                if work.mode.grip == STICKS and (stays or rests):
                     ending = STANDING
                     break
                 if slides_on(shape, work, after):
                     ending = STILL_SLIDING
                     break
-            at_rest = work.mode[CONTACT_KIND] == WALLED and work.mode[FRICTION_STATE] == STICKS
+            at_rest = work.mode.kind == WALLED and work.mode.grip == STICKS
             if at_rest and rests_beside(shape, work, after):
                 ending = STANDING
                 break
-            if start - end > FREE_TIME and cannot_fall(shape, work, after):
+            late = start - end > FREE_TIME and not is_off(shape, work.state)
+            if late and cannot_fall(shape, work, after):
                 break
-            most = FREE_SLIDES if work.mode[CONTACT_KIND] == FLAT else FREE_STEPS
+            most = FREE_SLIDES if work.mode.kind == FLAT else FREE_STEPS
             if effort(work) - done > most:
                 break
         if effort(work) > MOST_STEPS + PER_SAMPLE * samples:
@@ -353,24 +371,26 @@ def run(
                 break
             glued = False
             start, span = start + part * h, (1.0 - part) * h
-            work.clock[CLOCK] = start
+            work.clock.begun = start
             pull = Pull(pull_at(pull, part), times(1.0 - part, pull.change), span)
         how, passed, first = cross_interval(shape, work, pull, first)
-        if how == GOES_ON and shape.edge_at < math.inf:
-            left = leaves_support(shape, work, after)
-        if how != GOES_ON or left:
+        if how != GOES_ON:
             ending = OVERTURNED
-            record(trace, sample, work)
+            record(shape, trace, sample, work)
             sample += 1
             break
-    write_found(shape, work, ending, start + passed * span, sample, found)
+    landed = how == LANDED
+    # what hangs past the edge in a strap has left its support, too
+    hangs = ending != OVERTURNED and is_off(shape, work.state) and not bears(shape, work)
+    gone = landed or hangs
+    now = start + passed * span
+    write_found(shape, work, OVERTURNED if gone else ending, now, sample, found)
     write_straps(shape, work, found)
-    if shape.edge_at < math.inf:
+    if has_edge(shape):
         columns = SUMMARY + 1 + 2 * shape.straps
-        gravity = seen(frame, Vec(0.0, 0.0, -STANDARD_GRAVITY))
-        write_edge(shape, work, left, start + passed * span, gravity, found, columns)
-        if left:  # it fell to the side of the edge, when it came down
-            found[1] = found[columns + LANDING_TIME]
+        write_edge(shape, work, gone, landed, now, found, columns)
+        if gone:  # it fell to the side of the edge, when it came down
+            found[1] = found[columns + (LANDING_TIME if landed else LEFT_AT)]
             found[2] = math.atan2(shape.edge_y, shape.edge_x)
             found[14] = found[15] = -1.0
     found[5] -= start_yaw
@@ -387,8 +407,8 @@ def run(
 def write_straps(shape: SolidParameters, work: Workspace, found: Floats) -> None:
     """Write each strap's force and breaking after a RunSummary and the column of `held_up`."""
     for k in range(shape.straps):
-        found[SUMMARY + 1 + 2 * k] = work.straps[k, FORCE_PEAK]
-        found[SUMMARY + 2 + 2 * k] = work.straps[k, BROKE]
+        found[SUMMARY + 1 + 2 * k] = work.straps[k].force_peak
+        found[SUMMARY + 2 + 2 * k] = work.straps[k].broke_at
 
 
 @routine
@@ -421,7 +441,7 @@ def is_held_up(
         return False
     gravity = seen(tilted(stand), Vec(0.0, 0.0, -STANDARD_GRAVITY))
     before_tipping = turned + stand.tilt < math.atan2(alone.inscribed, alone.h)
-    if before_tipping and alone.edge_at == math.inf and cannot_fall(alone, work, gravity):
+    if before_tipping and not has_edge(alone) and cannot_fall(alone, work, gravity):
         return False
     run(alone, work, still, stand, trace, found)
     return bool(found[0] == OVERTURNED)
@@ -451,12 +471,12 @@ def write_found(
     found[0] = float(ending)
     found[1] = time if fell else math.nan
     found[2] = math.atan2(axis.y, axis.x) if fell else math.nan
-    found[3] = math.asin(min(1.0, math.sqrt(max(work.tally[PEAK], 0.0))))
-    found[4] = work.tally[LIFT]
+    found[3] = math.asin(min(1.0, math.sqrt(max(work.tally.peak, 0.0))))
+    found[4] = work.tally.lift
     foot = foot_of(shape, work)
-    found[5], found[6], found[7] = work.tally[YAW], foot.x, foot.y
-    for k in range(5):
-        found[8 + k] = work.tally[IMPACTS + k]
+    found[5], found[6], found[7] = work.tally.yaw, foot.x, foot.y
+    found[8], found[9], found[10] = work.tally.impacts, work.tally.events, work.tally.steps
+    found[11], found[12] = work.tally.energy_cuts, work.tally.fallbacks
     found[13] = float(samples)
     found[14] = -1.0
     found[15] = -1.0
@@ -474,4 +494,4 @@ def write_found(
                 beside = j
         found[14] = float(lowest)
         found[15] = float(beside)
-    found[19] = math.sqrt(work.tally[FARTHEST])
+    found[19] = math.sqrt(work.tally.farthest)

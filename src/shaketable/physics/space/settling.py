@@ -19,12 +19,25 @@ from shaketable.physics.space.constraints import free_turning
 from shaketable.physics.space.contacts import (
     axes_at,
     find_rim,
-    height,
     lies_on_rim,
-    lowest,
     normalise,
     turn_in_body,
     velocity,
+)
+from shaketable.physics.space.edge import (
+    clearance,
+    crossing,
+    crossing_speed,
+    has_edge,
+    is_of_base,
+    is_off,
+    look_behind,
+    lowest_of_body,
+    near_line,
+    note_past,
+    push_off_line,
+    side_count,
+    support_gap,
 )
 from shaketable.physics.space.impact import strike
 from shaketable.physics.space.modes import arrange
@@ -32,14 +45,10 @@ from shaketable.physics.space.rest import stand_all
 from shaketable.physics.space.step import Pull, pull_at
 from shaketable.physics.space.straps import hold_on, pull_or_not, with_straps
 from shaketable.physics.space.together import strike_touches
-from shaketable.physics.space.touches import gather_touches
+from shaketable.physics.space.touches import gather_touches, touches_more
 from shaketable.physics.space.vectors import Axes, Vec, add, times
 from shaketable.physics.space.walls import push_out
 from shaketable.physics.space.workspace import (
-    CLOCK,
-    CLOSED,
-    FALLBACKS,
-    NEAR,
     SLIPS,
     STATE,
     P,
@@ -53,6 +62,7 @@ from shaketable.physics.space.workspace import (
 )
 from shaketable.units import STANDARD_GRAVITY
 
+GOES_ON, FELL, LANDED = range(3)  # how an interval ends; the last is beside its support
 CREEP_STEP, LONG_STEP = 1e-4, 1e-3  # s: of the time stepping; once reactions often do not converge
 
 
@@ -79,7 +89,7 @@ def settling_height(shape: SolidParameters, hovers: float) -> float:
 def settles(shape: SolidParameters, work: Workspace, q: Axes, point: int, most: float) -> bool:
     """Whether a point is no higher [m], and no faster, than a settling base's corners."""
     y = work.state
-    if height(shape, work, q, y, point) > most:
+    if support_gap(shape, work, q, y, point) > most:
         return False
     return abs(velocity(shape, work, q, y, point).z) <= shape.limits.settle
 
@@ -95,7 +105,7 @@ def all_but_leaning(shape: SolidParameters, work: Workspace, hovers: float) -> b
         if settles(shape, work, q, point, most):
             work.near[n] = point
             n += 1
-    work.mode[NEAR] = n
+    work.mode.near = n
     return n == 3 and work.near[2] == shape.contacts
 
 
@@ -112,6 +122,20 @@ def lay_flat(shape: SolidParameters, work: Workspace) -> None:
     if shape.walls > 0:
         push_out(shape, work)
     stand_all(shape, work)
+    if has_edge(shape):
+        keep_supported(shape, work)
+
+
+@routine
+def keep_supported(shape: SolidParameters, work: Workspace) -> None:
+    """Note of the points on the support (`near`) those that have it under them."""
+    note_past(shape, work, True)
+    q, n = axes_at(work.state), 0
+    for k in range(work.mode.near):
+        if support_gap(shape, work, q, work.state, work.near[k]) < math.inf:
+            work.near[n] = work.near[k]
+            n += 1
+    work.mode.near = n
 
 
 @routine
@@ -126,7 +150,39 @@ def settles_at_walls(shape: SolidParameters, work: Workspace) -> bool:
         if settles(shape, work, q, point, most):
             work.near[n] = point
             n += 1
-    work.mode[NEAR] = n
+    work.mode.near = n
+    return gather_touches(shape, work, most, shape.limits.settle, 0.0) > 0
+
+
+@routine
+def settles_at_edge(shape: SolidParameters, work: Workspace) -> bool:
+    """Whether a body that hangs over the edge is as near to lying flat as a settling base.
+
+    Lists its touches.
+    """
+    q, most = axes_at(work.state), settling_height(shape, 0.0)
+    if not near_line(shape, work.state):
+        return False
+    n, flat = 0, True
+    for point in range(shape.contacts):
+        gap = support_gap(shape, work, q, work.state, point)
+        if gap < math.inf:
+            flat = flat and settles(shape, work, q, point, most)
+            work.near[n] = point
+            n += 1
+    over = n < shape.contacts
+    for side in range(side_count(shape) if flat and over else 0):
+        found = crossing(shape, work, q, work.state, side)
+        if is_of_base(shape, side) and found.gap < math.inf:
+            slow = abs(crossing_speed(q, work.state, found)) <= shape.limits.settle
+            flat, n = flat and slow and found.gap <= most, n + 1
+    if not flat or not over or n < 3:
+        return False
+    work.mode.near = 0
+    for point in range(shape.contacts):
+        if support_gap(shape, work, q, work.state, point) < math.inf:
+            work.near[work.mode.near] = point
+            work.mode.near += 1
     return gather_touches(shape, work, most, shape.limits.settle, 0.0) > 0
 
 
@@ -139,19 +195,19 @@ def drift_state(y, h: float) -> None:  # type: ignore[no-untyped-def]
 
 
 @routine
-def creep(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> bool:
-    """Take what is left of an interval by time stepping; return whether the body has fallen."""
-    work.tally[FALLBACKS] += 1.0
+def creep(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> int:
+    """Take what is left of an interval by time stepping; return how it ended."""
+    work.tally.fallbacks += 1.0
     y = work.state
     left = (1.0 - u) * pull.length
-    longest = CREEP_STEP if work.tally[FALLBACKS] < MAX_UNCONVERGED else LONG_STEP
-    steps = max(1, int(math.ceil(left / longest)))  # noqa: RUF046  a float on a GPU
+    longest = CREEP_STEP if work.tally.fallbacks < MAX_UNCONVERGED else LONG_STEP
+    steps = max(1, math.ceil(left / longest))
     h = left / steps
     for k in range(steps):
         f = pull_at(pull, u + (1.0 - u) * (k + 0.5) / steps)
         spin = vec(y, W)
         if shape.straps > 0:
-            work.clock[CLOCK + 1] = (u + (1.0 - u) * k / steps) * pull.length
+            work.clock.passed = (u + (1.0 - u) * k / steps) * pull.length
             hold_on(shape, work)
             f = with_straps(shape, work, f)
         turn = free_turning(shape, work, spin)
@@ -164,31 +220,38 @@ def creep(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> bool
             points += 1
         for point in range(points):
             speed = velocity(shape, work, q, y, point).z
-            if height(shape, work, q, y, point) + h * speed <= 0.0:
+            if support_gap(shape, work, q, y, point) + h * speed <= 0.0:
                 work.near[n] = point
                 n += 1
-        work.mode[NEAR] = n
+        work.mode.near = n
         for j in range(STATE):
             work.trial[j] = y[j]
-        if shape.walls > 0 and gather_touches(shape, work, 0.0, math.inf, h) > 0:
+        if touches_more(shape) and gather_touches(shape, work, 0.0, math.inf, h) > 0:
             strike_touches(shape, work, 0.0, h)
         elif n > 0:
             strike(shape, work, work.trial, 0.0)
         drift_state(y, h)
         if shape.walls > 0:
             push_out(shape, work)
-        if axes_at(y).z.z <= 0.0:
-            return True
+        if has_edge(shape):
+            push_off_line(shape, work)
+            note_past(shape, work, True)
+            look_behind(shape, work)
+        if is_off(shape, y):
+            if lowest_of_body(shape, work, y)[0] < -shape.drop:
+                return LANDED
+        elif axes_at(y).z.z <= 0.0:
+            return FELL
     pull_or_not(shape, work)
     settle_creep(shape, work, pull_at(pull, 1.0))
-    return False
+    return GOES_ON
 
 
 @routine
 def settle_creep(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     """Go over from time stepping to a mode again: nothing below the support, and forces decide."""
     q, y = axes_at(work.state), work.state
-    y[P + 2] -= min(0.0, lowest(shape, work, q, y))
+    y[P + 2] -= min(0.0, clearance(shape, work, q, y))
     if all_but_flat(shape, work, shape.limits.hovering):
         lay_flat(shape, work)
         choose(shape, work, f)
@@ -196,8 +259,8 @@ def settle_creep(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     if all_but_leaning(shape, work, shape.limits.hovering):
         choose(shape, work, f)
         return
-    if shape.walls > 0 and settles_at_walls(shape, work):
+    if touches_more(shape) and settles_at_walls(shape, work):
         choose_together(shape, work, f)
         return
-    work.mode[CLOSED] = 0
+    work.mode.closed = 0
     arrange(shape, work, SLIPS, 0)

@@ -29,8 +29,6 @@ from shaketable.physics.space.vectors import (
     times,
 )
 from shaketable.physics.space.workspace import (
-    FIRST,
-    LAST,
     Floats,
     SolidParameters,
     W,
@@ -62,8 +60,8 @@ def roll(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) ->
 @kernel
 def rock(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
     """v̇ and ω̇ on a side whose corners stick; its reaction is written as `write_side` does."""
-    first = arm(shape, work, work.closed[work.mode[FIRST]])
-    last = arm(shape, work, work.closed[work.mode[LAST]])
+    first = arm(shape, work, work.closed[work.mode.first])
+    last = arm(shape, work, work.closed[work.mode.last])
     side = subtract(last, first)
     length = math.sqrt(dot(side, side))
     e = times(1.0 / length, side)

@@ -23,13 +23,9 @@ from shaketable.physics.space.rates import rates
 from shaketable.physics.space.vectors import Vec, add, cross, dot, on_body, on_support, times
 from shaketable.physics.space.walled import put_back_at_walls
 from shaketable.physics.space.workspace import (
-    CLOSED,
-    CONTACT_KIND,
     CORNER,
     FLAT,
     FLIGHT,
-    FRICTION_STATE,
-    PIVOT,
     PIVOTS,
     SLIPS,
     STATE,
@@ -100,7 +96,7 @@ def turn_state(y: Floats, axis: Vec, sine: float) -> None:
 @routine
 def put_back(shape: SolidParameters, work: Workspace, y: Floats) -> None:
     """Put a state on its contact again, from which it has moved by the error of a step."""
-    rank, hold = work.mode[CONTACT_KIND], work.mode[FRICTION_STATE]
+    rank, hold = work.mode.kind, work.mode.grip
     normalise(y)
     if rank == FLIGHT:
         return
@@ -120,7 +116,7 @@ def put_back(shape: SolidParameters, work: Workspace, y: Floats) -> None:
             y[P + 2] = shape.h
         y[V + 2] = 0.0
         if hold == PIVOTS:
-            hold_point(shape, work, y, work.mode[PIVOT])
+            hold_point(shape, work, y, work.mode.pivot)
         elif hold == STICKS:  # whatever impacts that did not converge have left
             y[V] = y[V + 1] = y[W] = y[W + 1] = y[W + 2] = 0.0
         return
@@ -130,7 +126,7 @@ def put_back(shape: SolidParameters, work: Workspace, y: Floats) -> None:
         level_side(shape, work, y, hold == STICKS, rolls)
         if rolls:
             find_rim(shape, work, axes_at(y), vec(y, W))
-    point = work.mode[PIVOT] if hold == PIVOTS else work.closed[0]
+    point = work.mode.pivot if hold == PIVOTS else work.closed[0]
     if hold != SLIPS:
         hold_point(shape, work, y, point)
         return
@@ -147,7 +143,7 @@ def keep_leaning(shape: SolidParameters, work: Workspace, y: Floats) -> None:
     find_rim(shape, work, q, vec(y, W))
     put(y, W, times(dot(q.z, vec(y, W)), q.z))
     deepest = 0.0
-    for place in range(work.mode[CLOSED]):
+    for place in range(work.mode.closed):
         deepest = min(deepest, dot(q.z, arm(shape, work, work.closed[place])))
     y[P + 2] = -deepest
 

@@ -33,16 +33,6 @@ from shaketable.physics.space.vectors import (
     times,
 )
 from shaketable.physics.space.workspace import (
-    ANCHOR,
-    ARM,
-    BROKE,
-    CLOCK,
-    DAMPING,
-    FORCE_PEAK,
-    LENGTH,
-    SLACK,
-    STIFFNESS,
-    STRENGTH,
     Floats,
     P,
     SolidParameters,
@@ -72,25 +62,25 @@ class Stretch(NamedTuple):
 def stretch_of(work: Workspace, q: Axes, y: Floats, k: int) -> Stretch:
     """A strap in a state, whatever it does."""
     strap = work.straps[k]
-    r = vec(strap, ARM)
-    apart = subtract(vec(strap, ANCHOR), add(vec(y, P), on_support(q, r)))
+    r = vec(strap.arm, 0)
+    apart = subtract(vec(strap.anchor, 0), add(vec(y, P), on_support(q, r)))
     length = math.sqrt(dot(apart, apart))
     toward = times(1.0 / length, apart)
-    delta = length - strap[LENGTH]
+    delta = length - strap.length
     rate = -dot(toward, point_velocity(q, y, r))
-    return Stretch(toward, length, delta, rate, strap[STIFFNESS] * delta + strap[DAMPING] * rate)
+    return Stretch(toward, length, delta, rate, strap.stiffness * delta + strap.damping * rate)
 
 
 @kernel
 def force_rate(work: Workspace, q: Axes, y: Floats, dy: Floats, k: int, s: Stretch) -> float:
     """Ḟ of a strap that pulls [m/s³], from the state's rates."""
     strap = work.straps[k]
-    r, spin = vec(strap, ARM), vec(y, W)
+    r, spin = vec(strap.arm, 0), vec(y, W)
     own = add(cross(vec(dy, W), r), cross(spin, cross(spin, r)))
     change = add(vec(dy, V), on_support(q, own))
     u = point_velocity(q, y, r)
     bends = (dot(u, u) - s.rate * s.rate) / s.length
-    return float(strap[STIFFNESS] * s.rate + strap[DAMPING] * (bends - dot(s.toward, change)))
+    return float(strap.stiffness * s.rate + strap.damping * (bends - dot(s.toward, change)))
 
 
 @routine
@@ -102,7 +92,7 @@ def add_straps(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: V
             s = stretch_of(work, q, y, k)
             pull = times(s.force, s.toward)
             f = add(f, pull)
-            torque = add(torque, cross(vec(work.straps[k], ARM), on_body(q, pull)))
+            torque = add(torque, cross(vec(work.straps[k].arm, 0), on_body(q, pull)))
     put(work.torque, 0, torque)
     return f
 
@@ -120,10 +110,10 @@ def attach(shape: SolidParameters, work: Workspace) -> None:
     """Measure all straps as a run begins; none has pulled or broken yet."""
     q, y = axes_at(work.state), work.state
     for k in range(shape.straps):
-        work.straps[k, LENGTH] = 0.0
-        work.straps[k, LENGTH] = stretch_of(work, q, y, k).length + work.straps[k, SLACK]
-        work.straps[k, FORCE_PEAK] = 0.0
-        work.straps[k, BROKE] = math.nan
+        work.straps[k].length = 0.0
+        work.straps[k].length = stretch_of(work, q, y, k).length + work.straps[k].slack
+        work.straps[k].force_peak = 0.0
+        work.straps[k].broke_at = math.nan
         work.held[k] = LOOSE
     hold_on(shape, work)
 
@@ -135,7 +125,7 @@ def hold_on(shape: SolidParameters, work: Workspace) -> None:
     for k in range(shape.straps):
         if work.held[k] == TAUT:
             force = stretch_of(work, axes_at(work.state), work.state, k).force
-            work.straps[k, FORCE_PEAK] = max(work.straps[k, FORCE_PEAK], force)
+            work.straps[k].force_peak = max(work.straps[k].force_peak, force)
 
 
 @routine
@@ -152,11 +142,11 @@ def pull_or_not(shape: SolidParameters, work: Workspace) -> None:
             work.held[k] = RELAXED
         else:
             work.held[k] = TAUT
-            strength = work.straps[k, STRENGTH]
+            strength = work.straps[k].strength
             if s.force >= strength:
-                work.straps[k, FORCE_PEAK] = strength
+                work.straps[k].force_peak = strength
                 work.held[k] = BROKEN
-                work.straps[k, BROKE] = work.clock[CLOCK] + work.clock[CLOCK + 1]
+                work.straps[k].broke_at = work.clock.begun + work.clock.passed
 
 
 @routine
@@ -177,8 +167,8 @@ def note_forces(shape: SolidParameters, work: Workspace, h: float) -> None:
             rate_a = h * force_rate(work, before, work.state, work.stages[0], k, a)
             rate_b = h * force_rate(work, after, work.trial, work.stages[6], k, b)
             top = top_of(a.force, b.force, rate_a, rate_b)
-            peak = max(work.straps[k, FORCE_PEAK], top)
-            work.straps[k, FORCE_PEAK] = min(peak, work.straps[k, STRENGTH])
+            peak = max(work.straps[k].force_peak, top)
+            work.straps[k].force_peak = min(peak, work.straps[k].strength)
 
 
 @routine
@@ -188,7 +178,7 @@ def strap_energy(shape: SolidParameters, work: Workspace) -> float:
     for k in range(shape.straps):
         if work.held[k] != BROKEN:
             delta = max(stretch_of(work, q, y, k).delta, 0.0)
-            energy += 0.5 * work.straps[k, STIFFNESS] * delta * delta
+            energy += 0.5 * work.straps[k].stiffness * delta * delta
     return energy
 
 

@@ -53,19 +53,7 @@ from shaketable.physics.space.walled import (
     write_row,
 )
 from shaketable.physics.space.workspace import (
-    CARRIES,
-    CONE,
-    ENERGY_CUTS,
-    FALLBACKS,
-    KINETIC_AT,
-    MOVES,
-    PRESS,
-    RESTITUTION,
-    ROWS,
-    SLIP_DIRECTION,
     STATE,
-    STATIC_AT,
-    TOUCHES,
     SolidParameters,
     V,
     W,
@@ -90,14 +78,14 @@ def balance_touches(
 
     Takes `free` and `goal` of each touch, as `complementarity.balance` does, begins with the
     reactions in `shares` and leaves them there, along each touch's frame. Their effect on v and ω
-    (body frame) is written to `solved`.
+    (body frame) is written to `change`.
 
     Args:
         forces: as there.
         resists: the torque against rolling and drilling for a unit of pressure on the support.
         sweeps: at most so many.
     """
-    n = work.mode[TOUCHES]
+    n = work.mode.touches
     largest = 0.0
     linear, turn = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
     for place in range(n):
@@ -118,16 +106,16 @@ def balance_touches(
             moved = add(linear, cross(turn, lever_of(work, place)))
             now = add(vec(work.free[place], 0), on_support(frame_of(work, place), moved))
             free = subtract(now, applied(own, before))
-            goal, kinetic = work.goal[place], touch[KINETIC_AT]
-            if forces and touch[MOVES] > 0.0:
+            goal, kinetic = work.goal[place], touch.kinetic
+            if forces and touch.moves > 0:
                 after = Vec(0.0, 0.0, 0.0)
                 if free.z < goal:
-                    x, y = touch[SLIP_DIRECTION], touch[SLIP_DIRECTION + 1]
+                    x, y = touch.slip_x, touch.slip_y
                     after = slipping(own, free, goal, kinetic, x, y)
                     if after.z < 0.0:  # Painlevé: take the frictionless one
                         after = slipping(own, free, goal, 0.0, 1.0, 0.0)
             else:
-                static = touch[STATIC_AT]
+                static = touch.static
                 after = soon_reaction(own, free, goal, static, kinetic, before)
                 if after.z < 0.0 or sweep >= SOON:
                     after = one_reaction(own, free, goal, static, kinetic, before)
@@ -139,8 +127,8 @@ def balance_touches(
         if change <= close:
             found = True
             break
-    put(work.solved, 0, linear)
-    put(work.solved, 3, turn)
+    put(work.change, 0, linear)
+    put(work.change, 3, turn)
     return found
 
 
@@ -219,7 +207,7 @@ def hold_touches(shape: SolidParameters, work: Workspace, small: float) -> bool:
     Args:
         small: an acceleration that is none [m/s²].
     """
-    n = work.mode[TOUCHES]
+    n = work.mode.touches
     linear, turn = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
     for place in range(n):
         write_own(shape, work, place)
@@ -234,9 +222,9 @@ def hold_touches(shape: SolidParameters, work: Workspace, small: float) -> bool:
             now = add(vec(work.free[place], 0), on_support(frame_of(work, place), moved))
             most = max(most, abs(now.x), abs(now.y), abs(now.z))
             after = subtract(before, applied(inverse(own), now))
-            if not in_cone(after, touch[STATIC_AT]):
+            if not in_cone(after, touch.static):
                 step = 1.0 / (own.xx + own.yy + own.zz)
-                after = to_cone(subtract(before, times(step, now)), touch[STATIC_AT])
+                after = to_cone(subtract(before, times(step, now)), touch.static)
             put(work.shares[place], 0, after)
             difference = subtract(after, before)
             linear, turn = with_reaction(shape, work, place, difference, ZERO, linear, turn)
@@ -280,36 +268,36 @@ def strike_touches(shape: SolidParameters, work: Workspace, share: float, within
         y[j] = before[j]
     q = axes_at(before)
     look_at_touches(shape, work, q, before)
-    for place in range(work.mode[TOUCHES]):
+    for place in range(work.mode.touches):
         u = touch_velocity(work, q, before, place)
         put(work.free[place], 0, u)
         put(work.shares[place], 0, ZERO)
-        restitution = share * work.planes[plane_of(work, place), RESTITUTION]
+        restitution = share * work.planes[plane_of(work, place)].restitution
         work.goal[place] = -restitution * u.z if u.z < -shape.limits.bounce else 0.0
         if within > 0.0:
             work.goal[place] = -max(touch_gap(shape, work, q, before, place), 0.0) / within
     if within == 0.0 and strikes_sticking(shape, work, q):
         return
-    sweeps = SWEEPS if work.tally[FALLBACKS] < MAX_UNCONVERGED else FEWER_SWEEPS
+    sweeps = SWEEPS if work.tally.fallbacks < MAX_UNCONVERGED else FEWER_SWEEPS
     sweeps = sweeps if within == 0.0 else CREEP_SWEEPS
     if not balance_touches(shape, work, False, ZERO, sweeps):
-        work.tally[FALLBACKS] += 1.0
-    put(y, V, add(vec(y, V), on_support(q, vec(work.solved, 0))))
-    put(y, W, add(vec(y, W), vec(work.solved, 3)))
+        work.tally.fallbacks += 1.0
+    put(y, V, add(vec(y, V), on_support(q, vec(work.change, 0))))
+    put(y, W, add(vec(y, W), vec(work.change, 3)))
 
 
 @routine
 def strikes_sticking(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
     """Try an impact in which the touches that approach stick; the state is struck if it is one."""
     before, y, slowest = work.trial, work.state, 0.0
-    for place in range(work.mode[TOUCHES]):
+    for place in range(work.mode.touches):
         touch = work.touches[place]
         slowest = max(slowest, -work.free[place, 2])
-        touch[MOVES] = 0.0
-        touch[CARRIES] = PRESSES if work.free[place, 2] < work.goal[place] else FOLLOWS
+        touch.moves = 0
+        touch.carries = PRESSES if work.free[place, 2] < work.goal[place] else FOLLOWS
     slack = CONVERGED * slowest
     write_mode(shape, work, q)
-    k = work.mode[ROWS]
+    k = work.mode.rows
     for i in range(k):
         place, component = work.kept[i, 0], work.kept[i, 1]
         write_row(work, i, place, component)
@@ -318,21 +306,21 @@ def strikes_sticking(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
         work.system[i, k] = goal - measured(work.rows[i], linear, spin)
     change, turn = impelled(shape, work)
     judge_touches(shape, work)
-    if work.judged[PRESS] < 0.0 or work.judged[CONE] < 0.0:
-        for place in range(work.mode[TOUCHES]):
+    if work.judged.press < 0.0 or work.judged.cone < 0.0:
+        for place in range(work.mode.touches):
             put(work.shares[place], 0, ZERO)
         return False
     put(y, V, add(vec(before, V), on_support(q, change)))
     put(y, W, add(vec(before, W), turn))
     found = True
-    for place in range(work.mode[TOUCHES]):
+    for place in range(work.mode.touches):
         u = touch_velocity(work, q, y, place)
-        slips = max(abs(u.x), abs(u.y)) > slack and work.touches[place, CARRIES] > 0.0
+        slips = max(abs(u.x), abs(u.y)) > slack and work.touches[place].carries > 0
         found = found and u.z >= work.goal[place] - slack and not slips
     if not found:
         for j in range(V, STATE):
             y[j] = before[j]
-        for place in range(work.mode[TOUCHES]):
+        for place in range(work.mode.touches):
             put(work.shares[place], 0, ZERO)
     return found
 
@@ -347,7 +335,7 @@ def collide_touches(shape: SolidParameters, work: Workspace) -> None:
     allowed = kinetic_energy(shape, before) * (1.0 + ENERGY_SLACK)
     if kinetic_energy(shape, work.state) <= allowed:
         return
-    work.tally[ENERGY_CUTS] += 1.0
+    work.tally.energy_cuts += 1.0
     low, high = 0.0, 1.0
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)

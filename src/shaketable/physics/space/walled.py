@@ -2,8 +2,9 @@
 
 Of the constraints that the touches set, at most six are independent: `kept` names them, first the
 pressures, then what holds from slipping on each plane (two forces at one touch, and a torque about
-the normal where more of them carry and stick). The others follow from these, and carry nothing: of
-many ways to share the reactions this is one, and the motion is the same for all.
+the normal where more of them carry and stick). The pressures of the others follow from these: with
+r_c = Σ_i C_ci r_i for the row of each touch that presses, N = C z is of all pressures with the same
+resultant the one of least ΣN², as under a flat base (`constraints`); C is `spread`.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import math
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.constraints import add_to, fill, free_turning, measured
 from shaketable.physics.space.contacts import axes_at, turn_in_body
+from shaketable.physics.space.edge import has_edge, line_plane
 from shaketable.physics.space.linear import solve
 from shaketable.physics.space.losses import resistance
 from shaketable.physics.space.touches import (
@@ -25,6 +27,7 @@ from shaketable.physics.space.touches import (
     touch_velocity,
 )
 from shaketable.physics.space.vectors import (
+    ZERO,
     Axes,
     Vec,
     add,
@@ -36,15 +39,6 @@ from shaketable.physics.space.vectors import (
     times,
 )
 from shaketable.physics.space.workspace import (
-    ALONG,
-    CARRIES,
-    CONE,
-    KINETIC_AT,
-    MOVES,
-    PRESS,
-    ROWS,
-    STATIC_AT,
-    TOUCHES,
     Floats,
     P,
     SolidParameters,
@@ -57,9 +51,9 @@ from shaketable.physics.space.workspace import (
 
 # Components of a row: along the two tangents, the normal, and the turn about the normal.
 FIRST_TANGENT, SECOND_TANGENT, PRESSURE, TURN = range(4)
-# What a touch's CARRIES says: it carries, it may if it is independent of those that do, it follows
-# from them, or it would pull.
-PRESSES, MAY_PRESS, FOLLOWS, PULLS = 1.0, 0.5, 0.0, -1.0
+# What `Touch.carries` says: it carries a share, it may carry if it is independent of those that do,
+# it follows from them and carries nothing, or it would pull.
+PRESSES, MAY_PRESS, FOLLOWS, PULLS = 2, 1, 0, -1
 INDEPENDENT = 1e-6  # square of what of a row must not follow from the others, by that of the row
 MOST_SHIFT = (
     100.0  # times the largest gap: rows that would move a body farther are all but dependent
@@ -93,36 +87,48 @@ def write_row(work: Workspace, i: int, place: int, component: int) -> None:
 def keep_row(shape: SolidParameters, work: Workspace, place: int, component: int) -> bool:
     """Add a constraint to those that are kept, if it does not follow from them.
 
-    `columns` holds the rows made orthogonal to one another in the body's mobility.
+    `independent` holds the rows made orthogonal to one another in the body's mobility.
     """
-    k = work.mode[ROWS]
+    k = work.mode.rows
     if k == 6:
         return False
     force, torque = row_of(work, place, component)
     size = dot(force, force) + dot(torque, applied(shape.mobility, torque))
     for i in range(k):
-        other, turns = vec(work.columns[i], 0), vec(work.columns[i], 3)
+        other, turns = vec(work.independent[i], 0), vec(work.independent[i], 3)
         part = dot(other, force) + dot(turns, applied(shape.mobility, torque))
+        work.parts[i] = part
         force, torque = add(force, times(-part, other)), add(torque, times(-part, turns))
     left = dot(force, force) + dot(torque, applied(shape.mobility, torque))
     if left <= INDEPENDENT * size:
         return False
     one = 1.0 / math.sqrt(left)
-    put(work.columns[k], 0, times(one, force))
-    put(work.columns[k], 3, times(one, torque))
+    for j in range(6):
+        own = 1.0 if j == k else 0.0
+        for i in range(k):
+            own -= work.parts[i] * work.made_of[i, j]
+        work.made_of[k, j] = one * own
+    put(work.independent[k], 0, times(one, force))
+    put(work.independent[k], 3, times(one, torque))
     work.kept[k, 0], work.kept[k, 1] = place, component
-    work.mode[ROWS] = k + 1
+    work.mode.rows = k + 1
     return True
+
+
+@kernel
+def plane_count(shape: SolidParameters) -> int:
+    """The support, walls, and of an edge the face of its lip and its line."""
+    return line_plane(shape) + 1 if has_edge(shape) else shape.walls + 1
 
 
 @routine
 def keep_sticking(shape: SolidParameters, work: Workspace) -> None:
     """Keep what holds the touches that carry and do not slip, plane by plane."""
-    for plane in range(shape.walls + 1):
+    for plane in range(plane_count(shape)):
         first, count = -1, 0
-        for place in range(work.mode[TOUCHES]):
+        for place in range(work.mode.touches):
             row = work.touches[place]
-            if plane_of(work, place) == plane and row[CARRIES] > 0.0 and row[MOVES] == 0.0:
+            if plane_of(work, place) == plane and row.carries > 0 and row.moves == 0:
                 if first < 0:
                     first = place
                 count += 1
@@ -136,15 +142,61 @@ def keep_sticking(shape: SolidParameters, work: Workspace) -> None:
 @routine
 def write_mode(shape: SolidParameters, work: Workspace, q: Axes) -> None:
     """Keep independent rows: of the touches that may carry, those that press before the others."""
-    n = work.mode[TOUCHES]
-    work.mode[ROWS] = 0
+    n = work.mode.touches
+    work.mode.rows = 0
     look_at_touches(shape, work, q, work.state)
+    for place in range(n):
+        for j in range(6):
+            work.spread[place, j] = 0.0
     for first in (PRESSES, MAY_PRESS):
         for place in range(n):
-            if work.touches[place, CARRIES] == first:
-                kept = keep_row(shape, work, place, PRESSURE)
-                work.touches[place, CARRIES] = PRESSES if kept else FOLLOWS
+            if work.touches[place].carries == first:
+                k = work.mode.rows
+                if keep_row(shape, work, place, PRESSURE):
+                    work.touches[place].carries = PRESSES
+                    work.spread[place, k] = 1.0
+                elif first == PRESSES:
+                    spread_out(work, place)
+                else:
+                    work.touches[place].carries = FOLLOWS
+    work.mode.pressures = work.mode.rows
     keep_sticking(shape, work)
+
+
+@kernel
+def spread_out(work: Workspace, place: int) -> None:
+    """Write how the pressure of a touch that was just found to follow does so."""
+    for j in range(work.mode.rows):
+        for i in range(work.mode.rows):
+            work.spread[place, j] += work.parts[i] * work.made_of[i, j]
+
+
+@routine
+def add_pressures(
+    shape: SolidParameters, work: Workspace, y: Floats, friction: bool, resists: Vec
+) -> None:
+    """Write the columns of the pressures: what a unit of each brings at all that press.
+
+    Args:
+        friction: with the friction of what slips, and the torque `resists` on the support.
+    """
+    k = work.mode.pressures
+    for place in range(work.mode.touches):
+        touch = work.touches[place]
+        if touch.carries != PRESSES:
+            continue
+        frame, r = frame_of(work, place), lever_of(work, place)
+        force = frame.z
+        if friction and touch.moves > 0:
+            x, z = touch_slip(shape, work, place, touch_velocity(work, axes_at(y), y, place))
+            mu = touch.kinetic
+            force = add(force, add(times(-mu * x, frame.x), times(-mu * z, frame.y)))
+        torque = cross(r, force)
+        if friction and plane_of(work, place) == 0:
+            torque = add(torque, resists)
+        for i in range(k):
+            if work.spread[place, i] != 0.0:
+                add_to(work.columns, i, work.spread[place, i], force, torque)
 
 
 @routine
@@ -153,7 +205,7 @@ def react_at_walls(
 ) -> tuple[Vec, Vec]:
     """v̇ and ω̇ in the present mode; the reactions are written to `shares` and judged."""
     look_at_touches(shape, work, q, y)
-    spin, k = vec(y, W), work.mode[ROWS]
+    spin, k = vec(y, W), work.mode.rows
     free = free_turning(shape, work, spin)
     resists = resistance(shape, q, spin)
     here = on_body(q, f)
@@ -161,21 +213,15 @@ def react_at_walls(
         place, component = work.kept[i, 0], work.kept[i, 1]
         write_row(work, i, place, component)
         for j in range(6):
-            work.columns[i, j] = work.rows[i, j]
+            work.columns[i, j] = work.rows[i, j] if component != PRESSURE else 0.0
         touch, r = work.touches[place], lever_of(work, place)
-        if component == PRESSURE:
-            frame = frame_of(work, place)
-            if touch[MOVES] > 0.0:
-                x, z = touch_slip(shape, work, place, touch_velocity(work, q, y, place))
-                mu = touch[KINETIC_AT]
-                drag = add(times(-mu * x, frame.x), times(-mu * z, frame.y))
-                add_to(work.columns, i, 1.0, drag, cross(r, drag))
-            if plane_of(work, place) == 0:
-                add_to(work.columns, i, 1.0, Vec(0.0, 0.0, 0.0), resists)
-        own = cross(spin, add(cross(spin, r), vec(touch, ALONG)))
+        own = cross(spin, add(cross(spin, r), vec(touch.along, 0)))
         bias = 0.0 if component == TURN else dot(vec(work.rows[i], 0), own)
+        if component == PRESSURE:
+            bias += touch.bend
         work.system[i, k] = -measured(work.rows[i], here, free) - bias
         work.solved[i] = 0.0
+    add_pressures(shape, work, y, True, resists)
     fill(shape, work, k)
     solve(work.system, k, work.solved)
     linear, torque = here, Vec(0.0, 0.0, 0.0)
@@ -189,16 +235,19 @@ def react_at_walls(
 @routine
 def judge_touches(shape: SolidParameters, work: Workspace) -> None:
     """Write how sure the mode is: the least pressure, and the least margin to a friction cone."""
-    for place in range(work.mode[TOUCHES]):
+    for place in range(work.mode.touches):
         put(work.shares[place], 0, Vec(0.0, 0.0, 0.0))
     least = NO_CONE
-    for i in range(work.mode[ROWS]):
-        if work.kept[i, 1] == PRESSURE:
-            work.shares[work.kept[i, 0], 2] = work.solved[i]
-            least = min(least, work.solved[i])
-    work.judged[PRESS], work.judged[CONE] = least, NO_CONE
-    for plane in range(shape.walls + 1):
-        work.judged[CONE] = min(work.judged[CONE], plane_margin(work, plane))
+    for place in range(work.mode.touches):
+        if work.touches[place].carries == PRESSES:
+            share = 0.0
+            for i in range(work.mode.pressures):
+                share += work.spread[place, i] * work.solved[i]
+            work.shares[place, 2] = share
+            least = min(least, share)
+    work.judged.press, work.judged.cone = least, NO_CONE
+    for plane in range(plane_count(shape)):
+        work.judged.cone = min(work.judged.cone, plane_margin(work, plane))
 
 
 @routine
@@ -209,7 +258,7 @@ def plane_margin(work: Workspace, plane: int) -> float:
     way to do so.
     """
     first, f_x, f_y, torque = -1, 0.0, 0.0, 0.0
-    for i in range(work.mode[ROWS]):
+    for i in range(work.mode.rows):
         place, component = work.kept[i, 0], work.kept[i, 1]
         if component != PRESSURE and plane_of(work, place) == plane:
             first = place
@@ -222,7 +271,7 @@ def plane_margin(work: Workspace, plane: int) -> float:
     if first < 0:
         return NO_CONE
     total, x, y = 0.0, 0.0, 0.0
-    for place in range(work.mode[TOUCHES]):
+    for place in range(work.mode.touches):
         if holds_at(work, place, plane):
             at = on_support(frame_of(work, place), lever_of(work, place))
             share = work.shares[place, 2]
@@ -232,19 +281,19 @@ def plane_margin(work: Workspace, plane: int) -> float:
     x, y, second = x / total, y / total, 0.0
     origin = on_support(frame_of(work, first), lever_of(work, first))
     torque += (origin.x - x) * f_y - (origin.y - y) * f_x
-    for place in range(work.mode[TOUCHES]):
+    for place in range(work.mode.touches):
         if holds_at(work, place, plane):
             at = on_support(frame_of(work, place), lever_of(work, place))
             second += work.shares[place, 2] * ((at.x - x) ** 2 + (at.y - y) ** 2)
     twist = torque / second if second > 0.0 else 0.0
     least = NO_CONE
-    for place in range(work.mode[TOUCHES]):
+    for place in range(work.mode.touches):
         if holds_at(work, place, plane):
             at = on_support(frame_of(work, place), lever_of(work, place))
             t_x, t_y = f_x / total - twist * (at.y - y), f_y / total + twist * (at.x - x)
             share = work.shares[place, 2]
             work.shares[place, 0], work.shares[place, 1] = share * t_x, share * t_y
-            mu = min(work.touches[place, STATIC_AT], NO_CONE)
+            mu = min(work.touches[place].static, NO_CONE)
             least = min(least, (mu - math.sqrt(t_x * t_x + t_y * t_y)) * total)
     return least
 
@@ -253,7 +302,7 @@ def plane_margin(work: Workspace, plane: int) -> float:
 def holds_at(work: Workspace, place: int, plane: int) -> bool:
     """Whether a touch carries and sticks on a plane."""
     touch = work.touches[place]
-    return plane_of(work, place) == plane and touch[CARRIES] > 0.0 and touch[MOVES] == 0.0
+    return plane_of(work, place) == plane and touch.carries > 0 and touch.moves == 0
 
 
 @routine
@@ -262,7 +311,7 @@ def put_back_at_walls(shape: SolidParameters, work: Workspace, y: Floats) -> Non
 
     Its rotation is a unit quaternion.
     """
-    k, widest = work.mode[ROWS], 0.0
+    k, widest = work.mode.rows, 0.0
     q = axes_at(y)
     look_at_touches(shape, work, q, y)
     for i in range(k):
@@ -291,11 +340,12 @@ def put_back_at_walls(shape: SolidParameters, work: Workspace, y: Floats) -> Non
 @routine
 def impelled(shape: SolidParameters, work: Workspace) -> tuple[Vec, Vec]:
     """The least change of v and ω (body frame) that gives the rows what they are to get."""
-    k = work.mode[ROWS]
+    k = work.mode.rows
     for i in range(k):
         work.solved[i] = 0.0
         for j in range(6):
-            work.columns[i, j] = work.rows[i, j]
+            work.columns[i, j] = work.rows[i, j] if work.kept[i, 1] != PRESSURE else 0.0
+    add_pressures(shape, work, work.state, False, ZERO)
     fill(shape, work, k)
     solve(work.system, k, work.solved)
     linear, torque = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)

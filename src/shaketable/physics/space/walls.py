@@ -13,14 +13,6 @@ from shaketable.compiled import routine
 from shaketable.physics.space.contacts import LEVEL, axes_at
 from shaketable.physics.space.vectors import Axes, Vec, cross, dot, on_body, unit
 from shaketable.physics.space.workspace import (
-    BINORMAL,
-    FREE_GAP,
-    NORMAL,
-    OFFSET,
-    RESTITUTION,
-    TANGENT,
-    TOWARD,
-    VERTICAL,
     Floats,
     P,
     SolidParameters,
@@ -67,10 +59,10 @@ def wall_gap(
     shape: SolidParameters, work: Workspace, q: Axes, y: Floats, wall: int, point: int
 ) -> float:
     """Distance of a point of the outline from a wall [m]."""
-    normal = vec(work.planes[wall], NORMAL)
+    normal = vec(work.planes[wall].normal, 0)
     n = on_body(q, normal)
     r = outline_arm(shape, work, n, point)
-    return float(dot(normal, vec(y, P)) + dot(n, r) - work.planes[wall, OFFSET])
+    return float(dot(normal, vec(y, P)) + dot(n, r) - work.planes[wall].offset)
 
 
 @routine
@@ -78,7 +70,7 @@ def wall_speed(
     shape: SolidParameters, work: Workspace, q: Axes, y: Floats, wall: int, point: int
 ) -> float:
     """How fast that distance grows [m/s]."""
-    normal = vec(work.planes[wall], NORMAL)
+    normal = vec(work.planes[wall].normal, 0)
     n = on_body(q, normal)
     r = outline_arm(shape, work, n, point)
     return dot(normal, vec(y, V)) + dot(n, cross(vec(y, W), r))
@@ -94,15 +86,15 @@ def stand_at_walls(
         axis, sine, cosine: the support is tilted about this axis by an angle of this sine, as in
             `run.Tilted`.
     """
-    put(work.planes[0], NORMAL, UP)
-    put(work.planes[0], TANGENT, Vec(1.0, 0.0, 0.0))
-    put(work.planes[0], BINORMAL, Vec(0.0, 1.0, 0.0))
-    work.planes[0, OFFSET], work.planes[0, RESTITUTION] = 0.0, shape.restitution
+    put(work.planes[0].normal, 0, UP)
+    put(work.planes[0].tangent, 0, Vec(1.0, 0.0, 0.0))
+    put(work.planes[0].binormal, 0, Vec(0.0, 1.0, 0.0))
+    work.planes[0].offset, work.planes[0].restitution = 0.0, shape.restitution
     q = axes_at(work.state)
     for wall in range(1, shape.walls + 1):
         plane = work.planes[wall]
-        n = Vec(-math.cos(plane[TOWARD]), -math.sin(plane[TOWARD]), 0.0)
-        if plane[VERTICAL] > 0.0:  # Rᵀ n (Rodrigues)
+        n = Vec(-math.cos(plane.toward), -math.sin(plane.toward), 0.0)
+        if plane.vertical > 0.0:  # Rᵀ n (Rodrigues)
             along = dot(axis, n) * (1.0 - cosine)
             turned = cross(axis, n)
             n = Vec(
@@ -111,14 +103,14 @@ def stand_at_walls(
                 cosine * n.z - sine * turned.z + along * axis.z,
             )
         t = unit(cross(UP, n))
-        put(plane, NORMAL, n)
-        put(plane, TANGENT, t)
-        put(plane, BINORMAL, cross(n, t))
-        plane[OFFSET] = 0.0
+        put(plane.normal, 0, n)
+        put(plane.tangent, 0, t)
+        put(plane.binormal, 0, cross(n, t))
+        plane.offset = 0.0
         nearest = math.inf
         for point in range(shape.outline):
             nearest = min(nearest, wall_gap(shape, work, q, work.state, wall, point))
-        plane[OFFSET] = nearest - plane[FREE_GAP]
+        plane.offset = nearest - plane.free_gap
 
 
 @routine
@@ -129,7 +121,7 @@ def push_out(shape: SolidParameters, work: Workspace) -> None:
         nearest = 0.0
         for point in range(shape.outline):
             nearest = min(nearest, wall_gap(shape, work, q, y, wall, point))
-        n = vec(work.planes[wall], NORMAL)
+        n = vec(work.planes[wall].normal, 0)
         level2 = n.x * n.x + n.y * n.y
         y[P] -= nearest * n.x / level2
         y[P + 1] -= nearest * n.y / level2

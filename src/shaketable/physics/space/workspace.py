@@ -13,6 +13,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -27,55 +28,135 @@ Integers = NDArray[np.int64]
 # Where a state's numbers lie.
 P, Q, V, W, STATE = 0, 3, 7, 10, 13
 BETWEEN = 7  # the row of the stages that a look between two steps writes
-# Columns of a contact point.
-X, Y, STATIC, KINETIC, POINT = range(5)
-# Columns of a strap: its point from the centre of gravity (body frame) and its anchor (support
-# frame) [m], k and c by the body's mass [1/s², 1/s], what it is longer than between these at the
-# start [m], its strength by the mass [m/s²]; then, of a run: L₀ [m], the largest force so far
-# [m/s²], and when it broke [s].
-ARM, ANCHOR, STIFFNESS, DAMPING, SLACK, STRENGTH, LENGTH, FORCE_PEAK, BROKE, STRAP = (
-    0, 3, 6, 7, 8, 9, 10, 11, 12, 13,
-)  # fmt: skip
 MOST_STRAPS = 8
-# Columns of a plane that a solid may touch, the support first, then walls: unit normal toward the
-# body and two tangents (support frame), n·p at the plane [m], friction, restitution; and of a wall
-# as it is given: its azimuth [rad], its gap at the start [m], and 1 if it is vertical in the level
-# frame, 0 if it is normal to the support.
-(
-    NORMAL, TANGENT, BINORMAL, OFFSET, FRICTION, RESTITUTION, TOWARD, FREE_GAP, VERTICAL, PLANE,
-) = (0, 3, 6, 9, 10, 11, 12, 13, 14, 15)  # fmt: skip
 MOST_WALLS = 4
-# Columns of a touch, a contact on any plane: its plane; which point (of the support's contacts, or
-# of the outline); r and how fast it moves along the body (body frame); where it slips, along its
-# plane's tangents; 1 if it does, 1 if a row of `rows` carries its pressure; μ_s, μ_k; the plane's
-# tangents and normal as the body sees them.
-(
-    OF_PLANE, WHICH, LEVER, ALONG, SLIP_DIRECTION, MOVES, CARRIES, STATIC_AT, KINETIC_AT, FRAME,
-    TOUCH,
-) = (0, 1, 2, 5, 8, 10, 11, 12, 13, 14, 23)  # fmt: skip
 MOST_TOUCHES, MOST_OUTLINE = 48, 32
-CLOCK = 0  # of `Workspace.clock`: when the interval began [s], and how far it is [s]
-# What `Workspace.mode` tells: how the closed points lie (CONTACT_KIND), what keeps them from
-# slipping (FRICTION_STATE),
-# the row of the one that sticks where only one does, how many are closed, the places (among the
-# closed) of the two that are farthest apart, and how many points are on the support.
-# Then how many touches there are, and how many rows `kept` has; both of a mode beside a wall alone.
-(
-    CONTACT_KIND, FRICTION_STATE, PIVOT, CLOSED, FIRST, LAST, NEAR, TOUCHES, ROWS, MODE,
-) = range(10)  # fmt: skip
-FLIGHT, CORNER, EDGE, FLAT, WALLED = range(5)
-SLIPS, PIVOTS, STICKS = range(3)
-# What `Workspace.judged` tells of the reactions: the least pressure and the least margin to the
-# edge of the friction cone [m/s²], negative where the contact ends; what they were as a step began;
-# and how far below zero they must be to end the mode.
-PRESS, CONE, PRESS_BEFORE, CONE_BEFORE, PAST, JUDGED = range(6)
-# What a run writes down of itself; the peak as the square of the sine of the nutation. The foot of
-# the centre of gravity is at START_X, START_Y as it begins; FARTHEST is the square of how far from
-# there it comes.
-(
-    PEAK, LIFT, YAW, IMPACTS, EVENTS, STEPS, ENERGY_CUTS, FALLBACKS, EVER_ENERGY, START_X, START_Y,
-    FARTHEST, TALLY,
-) = range(13)  # fmt: skip
+MOST_SIDES = 3 * MOST_OUTLINE // 2  # of a body, which the edge of its support may meet
+FLIGHT, CORNER, EDGE, FLAT, WALLED = range(5)  # kinds of a mode: how the closed points lie
+SLIPS, PIVOTS, STICKS = range(3)  # grips of a mode: what keeps them from slipping
+
+
+class Clock:
+    """The time of a run [s]; the loop over the samples writes it."""
+
+    begun: float  # when the interval began
+    passed: float  # how far it is
+
+
+class Point:
+    """A point of the base that may touch the support; written before a run, but for the rim's."""
+
+    x: float  # body frame [m]
+    y: float
+    static: float  # μ_s
+    kinetic: float  # μ_k
+
+
+class Rim:
+    """Where a circular base is lowest; `contacts` writes it."""
+
+    x: float  # azimuth of the point, body frame
+    y: float
+    along_x: float  # how it moves along the rim [m/s]
+    along_y: float
+    before_x: float  # its azimuth as the step began
+    before_y: float
+
+
+class HeldStrap:
+    """A strap; written before a run, but for the last three, which `straps` writes."""
+
+    arm: Floats  # (3,): its point from the centre of gravity, body frame [m]
+    anchor: Floats  # (3,): support frame [m]
+    stiffness: float  # k by the body's mass [1/s²]
+    damping: float  # c by it [1/s]
+    slack: float  # what it is longer than between these at the start [m]
+    strength: float  # by the mass [m/s²]
+    length: float  # L₀ [m]
+    force_peak: float  # the largest force so far, by the mass [m/s²]
+    broke_at: float  # [s], NaN if it did not
+
+
+class Plane:
+    """What a solid may touch: the support first, then walls, a lip's face and the line of an edge.
+
+    `walls` and `edge` write their places.
+    """
+
+    normal: Floats  # (3,): toward the body, support frame
+    tangent: Floats  # (3,)
+    binormal: Floats  # (3,)
+    offset: float  # n·p at the plane [m]
+    friction: float
+    restitution: float
+    toward: float  # of a wall as it is given: its azimuth [rad]
+    free_gap: float  # its gap at the start [m]
+    vertical: float  # 1 in the level frame, 0 where it is normal to the support
+
+
+class Touch:
+    """A contact on any plane, of a mode beside a wall; `touches` writes it."""
+
+    plane: int  # 0 is the support, then walls; `edge` numbers the face of a lip and the line
+    point: int  # of the support's contacts, or of the outline; of the line which side it meets
+    moves: int  # 1 if it slips
+    carries: int  # what it may bear: as `walled` says
+    slip_x: float  # where it slips, along the tangents
+    slip_y: float
+    static: float  # μ_s
+    kinetic: float  # μ_k
+    lever: Floats  # (3,): r, body frame [m]
+    along: Floats  # (3,): how fast that moves along the body [m/s]
+    bend: float  # what the turning of its normal adds to the acceleration of its gap [m/s²]
+    tangent: Floats  # (3,): of its plane, as the body sees it
+    binormal: Floats  # (3,)
+    normal: Floats  # (3,)
+
+
+class Mode:
+    """The contact mode: `modes` writes how points lie, `closing` and `touches` which are near."""
+
+    kind: int  # FLIGHT, CORNER, EDGE, FLAT or WALLED
+    grip: int  # SLIPS, PIVOTS or STICKS
+    pivot: int  # row of the point that sticks, where only one does
+    closed: int  # how many points are closed
+    first: int  # places, among the closed, of the two that are farthest apart
+    last: int
+    near: int  # how many points are on the support
+    touches: int  # how many touches there are, of a mode beside a wall
+    rows: int  # how many rows `kept` has, of such a mode
+    pressures: int  # the first so many of these are pressures
+
+
+class Judged:
+    """What the reactions say of the mode [m/s²]; negative where it ends.
+
+    `rates` and, beside walls, `walled` write the first two, `events` and `interval` the others.
+    """
+
+    press: float  # the least pressure
+    cone: float  # the least margin to the edge of the friction cone
+    press_before: float  # what they were as the step began
+    cone_before: float
+    past: float  # how far below zero they must be to end the mode
+
+
+class Tally:
+    """What a run writes down of itself; `interval` and what it asks write it."""
+
+    peak: float  # square of the sine of the largest nutation
+    lift: float  # [m]
+    yaw: float  # [rad]
+    impacts: float
+    events: float
+    steps: float
+    energy_cuts: float  # impacts whose restitution was lowered, as they would have given energy
+    fallbacks: float  # problems that were not solved exactly: the nearest answer was taken
+    start_x: float  # where the foot of the centre of gravity is as it begins [m]
+    start_y: float
+    farthest: float  # square of how far from there it comes [m²]
+    left_at: float  # when it last touched its support or the edge of that [s]
+    tips: float  # how far its axis has turned toward the edge, turn by turn [rad]
 
 
 class Thresholds(NamedTuple):
@@ -126,11 +207,13 @@ class SolidParameters(NamedTuple):
     walls: int  # how many
     # points of the body that may touch a wall: of a circle its rims, which turn toward the wall
     outline: int
+    size: float  # distance of the body's farthest point from the centre of gravity [m]
     # where the support ends: direction of its edge, distance from the origin, infinite without an
-    # edge [m], and how far below it the floor is [m]
+    # edge [m], how high its lip is [m], and how far below it the floor is [m]
     edge_x: float
     edge_y: float
     edge_at: float
+    lip: float
     drop: float
     # pull-off strength of all glued feet by the mass [m/s²], 0 without, and their middle [m]
     glue: float
@@ -144,12 +227,12 @@ class Workspace(NamedTuple):
     Compiled code gets it as a record of the type `WORKSPACE`, as it does SolidParameters.
     """
 
-    points: Floats  # (n, POINT)
+    points: Sequence[Point]  # (n,)
     state: Floats  # (STATE,)
     trial: Floats  # (STATE,): the end of a step on trial
     stages: Floats  # (8, STATE): rates; the last row is for a look between two steps
     between: Floats  # (4, STATE): the polynomial through a step
-    mode: Integers  # (MODE,)
+    mode: Mode
     closed: Integers  # (n,): rows of the closed points
     near: Integers  # (n,): rows of the points on the support, before it is known which stay
     slip: Floats  # (n, 2): direction in which each point slips, as the step began
@@ -157,8 +240,8 @@ class Workspace(NamedTuple):
     carries: Integers  # (n,): 1 if it carries part of the pressure, by closed place
     basis: Floats  # (n, 3): how the pressure may be shared, by closed place
     shares: Floats  # (n, 3): reactions, by closed place
-    judged: Floats  # (JUDGED,)
-    rim: Floats  # (6,): azimuth on the rim x, y; how it moves along x, y; where the step began x, y
+    judged: Judged
+    rim: Rim
     rows: Floats  # (6, 6): constraints
     columns: Floats  # (6, 6): reactions
     system: Floats  # (6, 7)
@@ -168,28 +251,39 @@ class Workspace(NamedTuple):
     goal: Floats  # (n,): the least of it along the normal afterwards
     local: Floats  # (n, 6): response of each closed place to its own reaction
     effects: Floats  # (n + 4, 6): what each constraint gets from a unit of each reaction
-    tally: Floats  # (TALLY,)
-    straps: Floats  # (MOST_STRAPS, STRAP)
+    tally: Tally
+    straps: Sequence[HeldStrap]  # (MOST_STRAPS,)
     held: Integers  # (MOST_STRAPS,): what each strap does
     torque: Floats  # (3,): of all straps, by the body's mass, body frame [m²/s²]
-    clock: Floats  # (2,)
-    planes: Floats  # (1 + MOST_WALLS, PLANE)
+    clock: Clock
+    planes: Sequence[Plane]  # (3 + MOST_WALLS,)
     outline: Floats  # (MOST_OUTLINE, 3): points that may touch walls, body frame; rims' centres
-    touches: Floats  # (MOST_TOUCHES, TOUCH)
+    past: Integers  # (n,): 1 for each point of the base that is past the edge; `edge` writes it
+    behind: Integers  # (BEHIND,): 1 for each surface of an edge that the body is behind
+    touches: Sequence[Touch]  # (MOST_TOUCHES,)
     kept: Integers  # (6, 2): the touch and the component of each row
+    independent: Floats  # (6, 6): these rows, made orthogonal to one another
+    made_of: Floats  # (6, 6): each of those, in rows
+    parts: Floats  # (6,): along each of them, what of the row that was looked at last
+    spread: Floats  # (MOST_TOUCHES, 6): pressure of each touch for a unit of each row's unknown
+    change: Floats  # (6,): of velocity or acceleration, and of spin, by all touches; body frame
+    found: Floats  # (MOST_TOUCHES, 3): the reactions of all touches, while others are tried
+    found_carries: Integers  # (MOST_TOUCHES,): what they carry, while all are put back
     kept_state: Floats  # (STATE,): before a mode is tried
 
 
 #: The largest solid's: corners and the rim.
 MOST = 65
+#: Where `behind` tells of points on the support, of the outline at a lip, and of sides at the line.
+BEHIND_LIP = MOST
+BEHIND_SIDES = BEHIND_LIP + MOST_OUTLINE
+BEHIND = BEHIND_SIDES + MOST_SIDES
 
 _SIZES: dict[str, tuple[int, ...]] = {
-    "points": (MOST, POINT),
     "state": (STATE,),
     "trial": (STATE,),
     "stages": (BETWEEN + 1, STATE),
     "between": (4, STATE),
-    "mode": (MODE,),
     "closed": (MOST,),
     "near": (MOST,),
     "slip": (MOST, 2),
@@ -197,8 +291,6 @@ _SIZES: dict[str, tuple[int, ...]] = {
     "carries": (MOST,),
     "basis": (MOST, 3),
     "shares": (MOST, 3),
-    "judged": (JUDGED,),
-    "rim": (6,),
     "rows": (6, 6),
     "columns": (6, 6),
     "system": (6, 7),
@@ -208,24 +300,60 @@ _SIZES: dict[str, tuple[int, ...]] = {
     "goal": (MOST,),
     "local": (MOST, 6),
     "effects": (MOST + 4, 6),
-    "tally": (TALLY,),
-    "straps": (MOST_STRAPS, STRAP),
     "held": (MOST_STRAPS,),
     "torque": (3,),
-    "clock": (2,),
-    "planes": (1 + MOST_WALLS, PLANE),
     "outline": (MOST_OUTLINE, 3),
-    "touches": (MOST_TOUCHES, TOUCH),
+    "past": (MOST,),
+    "behind": (BEHIND,),
     "kept": (6, 2),
+    "independent": (6, 6),
+    "made_of": (6, 6),
+    "parts": (6,),
+    "spread": (MOST_TOUCHES, 6),
+    "change": (6,),
+    "found": (MOST_TOUCHES, 3),
+    "found_carries": (MOST_TOUCHES,),
     "kept_state": (STATE,),
 }
-_INTEGERS = {"mode", "closed", "near", "moving", "carries", "held", "kept"}
-WORKSPACE = np.dtype(
-    [
-        (name, np.int64 if name in _INTEGERS else np.float64, _SIZES[name])
-        for name in Workspace._fields
-    ]
-)
+_INTEGERS = {
+    "closed",
+    "near",
+    "moving",
+    "carries",
+    "held",
+    "kept",
+    "past",
+    "behind",
+    "found_carries",
+}
+#: Fields that are records, and how many there are of each; none of one alone.
+_RECORDS: dict[str, tuple[type, tuple[int, ...]]] = {
+    "points": (Point, (MOST,)),
+    "mode": (Mode, ()),
+    "judged": (Judged, ()),
+    "rim": (Rim, ()),
+    "tally": (Tally, ()),
+    "straps": (HeldStrap, (MOST_STRAPS,)),
+    "clock": (Clock, ()),
+    "planes": (Plane, (3 + MOST_WALLS,)),
+    "touches": (Touch, (MOST_TOUCHES,)),
+}
+
+
+def record_type(fields: type) -> np.dtype[np.void]:
+    """The type of a record, by the annotations of a class; `Floats` are vectors."""
+    kinds = {"int": (np.int64, ()), "float": (np.float64, ()), "Floats": (np.float64, (3,))}
+    return np.dtype([(name, *kinds[kind]) for name, kind in fields.__annotations__.items()])
+
+
+def _field(name: str) -> tuple[str, DTypeLike, tuple[int, ...]]:
+    if name in _RECORDS:
+        kind, shape = _RECORDS[name]
+        return name, record_type(kind), shape
+    return name, np.int64 if name in _INTEGERS else np.float64, _SIZES[name]
+
+
+WORKSPACE = np.dtype([_field(name) for name in Workspace._fields])
 #: An array of one record: how Python code passes a workspace.
 Workspaces = NDArray[np.void]
 

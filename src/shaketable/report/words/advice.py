@@ -352,16 +352,16 @@ def _wider(result: ItemResult) -> str:
 def safe_base(result: ItemResult) -> str:
     """The base on which few fall [m]: both sizes, the depth first, where it falls both ways."""
     if result.profile.alike:
-        return f"{mitigation.metres(result.safe_width)}×{mitigation.metres(result.safe_width)}"
+        return f"{mitigation.metres(result.safe_base)}×{mitigation.metres(result.safe_base)}"
     if result.other is not None and result.falls_either_way:
         sides = sorted((result, result.other), key=lambda side: side.profile.direction)
-        return "×".join(mitigation.metres(side.safe_width) for side in sides)
-    return mitigation.metres(result.safe_width)
+        return "×".join(mitigation.metres(side.safe_base) for side in sides)
+    return mitigation.metres(result.safe_base)
 
 
 def _base(result: ProfileResult) -> tuple[float, float, str]:
     """The safe base and the present one [m], and the word for its direction."""
-    return result.safe_width, result.profile.body.width, WORDS[result.profile.direction]
+    return result.safe_base, result.profile.body.base, WORDS[result.profile.direction]
 
 
 def _tilt(result: ItemResult, control: float) -> str:
@@ -405,6 +405,6 @@ def _tilt(result: ItemResult, control: float) -> str:
         cost=cost,
         wanted=wanted,
         chosen=chosen,
-        rise=1000 * shim_height(profile.body.width, tilt),
+        rise=1000 * shim_height(profile.body.base, tilt),
         sure=tilt_interval(curves),
     )

@@ -151,7 +151,7 @@ def _falls(result: ItemResult, sources: str) -> str:
         return tell(
             "Nothing can be said. Were it as deep as its width of {width:.3g} m, it would fall in "
             "none of {simulations} simulated shakings.",
-            width=result.profile.body.width,
+            width=result.profile.body.base,
             simulations=result.simulations,
         )
     if result.falls == 0:
@@ -200,7 +200,7 @@ def other_direction(result: ItemResult) -> str:
         return tell(
             "{direction}, on its base of {width:.3g} m, {happens}.",
             direction=translated(other.profile.direction).capitalize(),
-            width=other.profile.body.width,
+            width=other.profile.body.base,
             happens=happens,
         )
     if profile.alike:
@@ -209,7 +209,7 @@ def other_direction(result: ItemResult) -> str:
         return tell(
             "Its depth is not known, and its width of {width:.3g} m was taken for it: if it is "
             "less deep than wide, it falls more often than this.",
-            width=profile.body.width,
+            width=profile.body.base,
         )
     return tell("Its width is not known: side to side nothing was simulated.")
 

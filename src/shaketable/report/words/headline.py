@@ -155,15 +155,6 @@ def not_as_it_stands(assessment: Assessment) -> list[str]:
                 "was given: on upper floors shaking is stronger, and more falls than is said here."
             )
         )
-    edges = [each.item.name for each in results if each.as_it_stands and _has_edge(each.item)]
-    if edges:
-        sentences.append(
-            tell(
-                "Near an edge the shares are too high, as an object counts as fallen as soon as "
-                "its centre of pressure crosses it, though it may still come back: {names}.",
-                names=named(list(dict.fromkeys(edges)), MOST_NAMED),
-            )
-        )
     alone = [each.item.name for each in results if each.left_alone]
     if alone:
         sentences.append(
@@ -184,10 +175,6 @@ def not_as_it_stands(assessment: Assessment) -> list[str]:
             )
         )
     return sentences
-
-
-def _has_edge(item: Item) -> bool:
-    return bool(item.surroundings and item.surroundings.edge)
 
 
 def _unread_cells(results: Sequence[ItemResult], headers: Sequence[str]) -> str:

@@ -250,11 +250,10 @@ def tried_with(design: RoomDesign) -> str:
     """With which friction changes were tried."""
     said = tell("Changes were tried with friction {friction:g}.", friction=design.friction)
     if math.isinf(design.friction):
-        said = tell("Changes were tried where nothing on feet can slide.")
+        said = tell("Changes were tried on a floor on which nothing on feet can slide.")
     if not design.as_it_is.tried:
         return said
-    most = tell("Of the frictions that were tried most people are harmed so.")
-    return f"{said} {most}"
+    return tell("{said} This counts the least favourable floor.", said=said)
 
 
 def _saving(one: Tried, design: RoomDesign) -> str:

@@ -47,7 +47,6 @@ def what_happens(result: ItemResult) -> str:
         _moves(result.item, solid),
         walks_off(result.along_support),
         straps.in_its_straps(result.item, solid),
-        _left_out(result),
     )
     return " ".join(part for part in parts if part)
 
@@ -78,14 +77,6 @@ def _held_up(solid: SolidResult) -> str:
         often=in_hundred(held.held_up.value),
         likely=likely(held.held_up),
     )
-
-
-def _left_out(result: ItemResult) -> str:
-    """What of its surroundings was not simulated."""
-    around = result.item.surroundings
-    if around is None or not result.left_alone:
-        return ""
-    return tell("The lip of its support was not simulated.")
 
 
 def _how_often(solid: SolidResult, item: Item) -> str:

@@ -43,8 +43,8 @@ export function motions() {
 const LONGEST = 120; // letters of a file's name; its ending tells the format
 
 // A list, read: `sheet` is the one of a workbook, `columns` the text that says what columns mean.
-export function understand(name, data, { sizes, catalogue, sheet, columns = "" }, waits) {
-  const asked = { name: name.slice(-LONGEST), accept_sizes: sizes, catalogue, columns, ...(sheet && { sheet }) };
+export function understand(name, data, { sizes, catalogue, sheet, columns = "", rows = "" }, waits) {
+  const asked = { name: name.slice(-LONGEST), accept_sizes: sizes, catalogue, columns, rows, ...(sheet && { sheet }) };
   return send(`list?${new URLSearchParams(asked)}`, { method: "PUT", body: data }, waits);
 }
 

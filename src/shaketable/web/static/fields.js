@@ -7,7 +7,7 @@ import { helpOf, numberIn, say, written } from "./texts.js";
 export function makeField(name, state, units, changed) {
   const field = FIELDS[name];
   const times = field.length && units === "cm" ? 100 : 1;
-  const text = name === "width_m" ? SHAPES[state.shape].width : field.text;
+  const text = name === "base_m" ? SHAPES[state.shape].base : field.text;
   const made = document.createElement("div");
   made.className = "field";
   made.dataset.field = name;

@@ -37,7 +37,7 @@ function asking(on) {
 }
 
 // Reads a list; if it cannot be read, the one that `kept` is, with its cells, stays.
-async function take(name, data, { kept = null, sheet = "", columns = "" } = {}) {
+async function take(name, data, { kept = null, sheet = "", columns = "", rows = "" } = {}) {
   await dressed; // words may still be on their way
   const mine = (asked += 1);
   end();
@@ -49,7 +49,7 @@ async function take(name, data, { kept = null, sheet = "", columns = "" } = {}) 
   tell("list_reading");
   asking(true);
   try {
-    const list = await understood(name, data, { sheet, columns });
+    const list = await understood(name, data, { sheet, columns, rows });
     if (mine !== asked) return;
     if (kept) carry(kept, list);
     Object.assign(view, { list, name });
@@ -71,14 +71,26 @@ function understood(name, data, options) {
 
 // What the list that was given said and the cells of the page do not: sheets, units beside names.
 function carry(before, list) {
-  const { sheets, sheet, builtAs } = before;
-  Object.assign(list, { sheets, sheet, building: before.building, builtAs });
+  const { sheets, sheet, builtAs, leftOut } = before;
+  Object.assign(list, { sheets, sheet, building: before.building, builtAs, leftOut });
+  putBack(before, list);
   list.columns.forEach((column, k) => { if (!column.meaning) column.unit = before.columns[k]?.unit ?? ""; });
+}
+
+// Rows that were left out on the page, at their places among those that were read again.
+function putBack(before, list) {
+  for (const number of before.leftOut ?? []) {
+    const k = before.numbers.indexOf(number);
+    if (k < 0 || list.numbers.includes(number)) continue;
+    const at = list.numbers.filter((each) => each < number).length;
+    list.numbers.splice(at, 0, number);
+    list.rows.splice(at, 0, before.rows[k]);
+  }
 }
 
 // The list as it stands in the page, read again.
 function again() {
-  take(view.name.replace(/\.[^.]*$/, ".csv"), csv(), { kept: view.list, columns: saidOf(view.list.columns) });
+  take(view.name, csv(), { kept: view.list, columns: saidOf(view.list.columns), rows: rowsOf(view.list) });
 }
 
 // Reads files that were given: a list, and the file that says what its columns mean.
@@ -121,7 +133,15 @@ function showList() {
   const body = make("tbody");
   rows.forEach((row, k) => {
     const line = make("tr");
-    line.append(make("th", number(numbers[k], 7), { scope: "row" }));
+    const leave = make("input", "", { type: "checkbox", checked: !isLeftOut(numbers[k]) });
+    leave.setAttribute("aria-label", say("list_row_kept", { row: number(numbers[k], 7) }));
+    leave.addEventListener("change", () => { leaveOut(numbers[k], !leave.checked); line.classList.toggle("left", !leave.checked); });
+    line.classList.toggle("left", isLeftOut(numbers[k]));
+    const first = make("th", "", { scope: "row" });
+    const label = make("label");
+    label.append(leave, ` ${number(numbers[k], 7)}`);
+    first.append(label);
+    line.append(first);
     columns.forEach(({ header }, j) => {
       const cell = make("td");
       const box = make("input", "", { value: row[j] ?? "", maxLength: 500 });
@@ -201,12 +221,32 @@ function building() {
   return { structure, storeys: Number(find("storeys").value), storey_height_m: numberIn(find("storey-height").value) };
 }
 
+const isLeftOut = (number) => view.list.leftOut?.includes(number) ?? false;
+
+// Leaves a row out of what is assessed, or takes it back; its number is that of the user's file.
+function leaveOut(number, left) {
+  const others = (view.list.leftOut ?? []).filter((each) => each !== number);
+  view.list.leftOut = left ? [...others, number] : others;
+}
+
 // The list as it stands in the page, for the server.
 function csv() {
-  const quoted = (text) => `"${String(text ?? "").replaceAll('"', '""')}"`;
-  const { columns, rows, separator } = view.list;
-  const line = (cells) => cells.map(quoted).join(separator);
-  return `${[line(columns.map(headingOf)), ...rows.map(line)].join("\n")}\n`;
+  const quoted = (text) => `"${String(text ?? "").replaceAll('"', '""').replace(/[\r\n]+/g, " ")}"`;
+  const { columns, rows, numbers } = view.list;
+  const line = (cells) => cells.map(quoted).join(",");
+  const kept = rows.filter((_, k) => !isLeftOut(numbers[k]));
+  return `${[line(columns.map(headingOf)), ...kept.map(line)].join("\n")}\n`;
+}
+
+// The numbers of its rows in the user's file, as "3-9,11", by which messages name them.
+function rowsOf({ numbers }) {
+  const spans = [];
+  for (const each of numbers.filter((number) => !isLeftOut(number))) {
+    const last = spans.at(-1);
+    if (last && each === last[1] + 1) last[1] = each;
+    else spans.push([each, each]);
+  }
+  return spans.map(([one, other]) => (one === other ? `${one}` : `${one}-${other}`)).join(",");
 }
 
 // A heading that was corrected keeps the unit that stood elsewhere, unless it says one itself.
@@ -216,21 +256,20 @@ function headingOf({ header, edited, unit }) {
 }
 
 async function run() {
-  const text = csv(), columns = saidOf(view.list.columns);
+  const text = csv(), columns = saidOf(view.list.columns), rows = rowsOf(view.list);
   const mine = (asked += 1);
   end();
   asking(true);
   try {
-    const checked = await understood("list.csv", text, { columns });
+    const checked = await understood(view.name, text, { columns, rows });
     if (mine !== asked) return;
     if (checked.faults.length) {
       view.list.faults = checked.faults;
       showList();
       return;
     }
-    const name = `${view.name.replace(/\.[^.]*$/, "").slice(0, 100)}.csv`;
     const { id } = await begin({
-      name, text, columns, suite: SUITE, planar: find("planar").checked, accept_sizes: find("sizes").checked,
+      name: view.name.slice(-100), text, columns, rows, suite: SUITE, planar: find("planar").checked, accept_sizes: find("sizes").checked,
       catalogue: find("catalogue").checked, building: building(), level: level(), scale: strength(),
       wall: find("wall").value,
     });
@@ -302,7 +341,7 @@ async function retell() {
   try {
     const { columns } = view.list ?? {};
     const list = columns?.length
-      ? await understood("list.csv", csv(), { columns: saidOf(columns) })
+      ? await understood(view.name, csv(), { columns: saidOf(columns), rows: rowsOf(view.list) })
       : view.list && await understood(view.file.name, view.file.data, {});
     const found = view.found && await result(view.job);
     if (mine !== asked || wanted !== document.documentElement.lang) return;

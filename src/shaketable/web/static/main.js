@@ -6,7 +6,7 @@ import { makeField } from "./fields.js";
 import { Player } from "./film.js";
 import { failure, find } from "./page.js";
 import { many, shareOf, showShares } from "./shares.js";
-import { BESIDE, SHAPES, begin, besideOf, keep, pathOf, shakingOf, thingOf } from "./state.js";
+import { BESIDE, SHAPES, begin, besideOf, changeShape, keep, pathOf, shakingOf, thingOf } from "./state.js";
 import { number, prefer, preferred, say, speak } from "./texts.js";
 import { sentence } from "./verdict.js";
 
@@ -202,7 +202,7 @@ async function askMany() {
       if (mine !== view.asked) return;
       view.shares = found;
       told = true;
-      write("share", () => { showShares(found, scale, thing); return shareOf(found, thing); });
+      write("share", () => { showShares(found, scale, thing); return shareOf(found); });
       find("shares").classList.remove("old");
       find("worst").disabled = find("worst").hidden = false;
     }
@@ -327,7 +327,7 @@ for (const radio of document.querySelectorAll("[name=kind]")) {
 }
 for (const radio of document.querySelectorAll("[name=shape]")) {
   radio.addEventListener("change", () => {
-    state.shape = radio.value;
+    changeShape(state, radio.value);
     makeFields();
     changed();
   });

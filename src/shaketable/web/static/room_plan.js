@@ -164,6 +164,7 @@ export class Plan {
     }
     if (room.north_deg !== undefined) parts.push(north(room, right - 0.4, high - 0.4));
     this.svg.replaceChildren(...parts);
+    spread([...this.svg.querySelectorAll(".part text")]);
     this.drawing = true; // a focus that is given back chooses nothing
     if (kept) this.svg.querySelector(`[data-key="${kept}"]`)?.focus({ preventScroll: true });
     this.drawing = false;
@@ -282,4 +283,24 @@ function heatOf(found) {
   const image = made("image", { x: CM * x, y: -CM * y - height, width, height, preserveAspectRatio: "none", class: "heat" });
   image.setAttribute("href", canvas.toDataURL());
   return image;
+}
+
+const TRIES = 8; // lines by which a label is moved down, at most
+
+// Moves labels down that would cover those of their neighbours, the upper ones first.
+function spread(labels) {
+  const placed = [];
+  const boxes = labels.map((label) => ({ label, box: label.getBBox() })).sort((a, b) => a.box.y - b.box.y);
+  for (const { label, box } of boxes) {
+    if (!box.width) continue;
+    const line = box.height / Math.max(label.children.length, 1);
+    let down = 0;
+    while (down < TRIES * line && placed.some((other) => covers(other, box, down))) down += line / 2;
+    if (down) label.setAttribute("transform", `translate(0 ${down})`);
+    placed.push({ x: box.x, y: box.y + down, width: box.width, height: box.height });
+  }
+}
+
+function covers(other, { x, y, width, height }, down) {
+  return x < other.x + other.width && other.x < x + width && y + down < other.y + other.height && other.y < y + down + height;
 }

@@ -21,8 +21,8 @@ export function poseAt(film, thing, time) {
 // The end of a fall: on about the corner on which it stands, until it lies.
 function fallen(pose, thing, side, part) {
   const h = thing.cg_share * thing.height_m;
-  const left = thing.eccentricity * thing.width_m;
-  const foot = { u: side > 0 ? thing.width_m - left : -left, v: -h };
+  const left = thing.eccentricity * thing.base_m;
+  const foot = { u: side > 0 ? thing.base_m - left : -left, v: -h };
   const now = turned(foot, pose.turn);
   const corner = { x: pose.x + now.u, y: pose.y + now.v };
   const turn = pose.turn + (side * RIGHT_ANGLE - pose.turn) * Math.min(1, part * part);
@@ -45,7 +45,7 @@ export function behind(beside) {
 
 // Where a strap begins on the body and where it ends, along and normal to the support.
 function strapOf(thing, pose) {
-  const right = (1 - thing.eccentricity) * thing.width_m;
+  const right = (1 - thing.eccentricity) * thing.base_m;
   const at = turned({ u: right, v: (1 - thing.cg_share) * thing.height_m }, pose.turn);
   return {
     point: { x: pose.x + at.u, y: pose.y + at.v },
@@ -61,19 +61,19 @@ export function forceAt(film, time) {
 
 // Where the vertical wall to the right is, from the foot of the centre of gravity.
 function wallOf(thing, tilt) {
-  const right = (1 - thing.eccentricity) * thing.width_m;
+  const right = (1 - thing.eccentricity) * thing.base_m;
   return right * Math.cos(tilt) + thing.beside.wall_gap_mm / 1000; // its top leans the other way
 }
 
 export function draw(canvas, thing, film, time, lengthText) {
-  const h = thing.cg_share * thing.height_m, left = thing.eccentricity * thing.width_m;
+  const h = thing.cg_share * thing.height_m, left = thing.eccentricity * thing.base_m;
   const rest = { x: 0, y: h, ground: 0, turn: 0 };
   const pose = film ? poseAt(film, thing, time) : rest;
   const style = getComputedStyle(document.documentElement);
   const color = (name) => style.getPropertyValue(name).trim();
   const context = canvas.getContext("2d");
   const { width, height } = canvas;
-  const reach = Math.max(1.25 * Math.hypot(thing.width_m, thing.height_m), 0.2);
+  const reach = Math.max(1.25 * Math.hypot(thing.base_m, thing.height_m), 0.2);
   const scale = Math.min((0.82 * height) / reach, (0.45 * width) / reach); // pixels a metre
   const tilt = (thing.tilt_deg * Math.PI) / 180;
   context.setTransform(1, 0, 0, 1, 0, 0);
@@ -122,13 +122,13 @@ export function draw(canvas, thing, film, time, lengthText) {
   context.translate(pose.x, pose.y);
   context.rotate(-pose.turn); // rotations count clockwise
   context.fillStyle = color("--act");
-  context.fillRect(-left, -h, thing.width_m, thing.height_m);
+  context.fillRect(-left, -h, thing.base_m, thing.height_m);
   context.strokeStyle = color("--paper");
   context.lineWidth = 2 / scale;
   for (let k = 1; k < 4; k += 1) {
     context.beginPath();
     context.moveTo(-left, -h + (k * thing.height_m) / 4);
-    context.lineTo(thing.width_m - left, -h + (k * thing.height_m) / 4);
+    context.lineTo(thing.base_m - left, -h + (k * thing.height_m) / 4);
     context.stroke();
   }
   context.fillStyle = color("--fall");

@@ -18,7 +18,7 @@ export async function* many(thing, scale, options) {
 }
 
 // The share in a sentence.
-export function shareOf(found, thing) {
+export function shareOf(found) {
   const values = {
     falls: number(found.falls, 4), simulations: number(found.simulations, 4), share: found.in_100.share,
     moving: number(found.moving, 4), leaning: number(found.leaning ?? 0, 4), held_up: number(found.held_up ?? 0, 4), force: number(found.strap_90 ?? 0),
@@ -27,7 +27,6 @@ export function shareOf(found, thing) {
   const said = [say(found.held_up ? "share_held_up" : falls, values)];
   if (found.moving) said.push(say("still_moving", values));
   if (found.leaning) said.push(say("share_leaning", values));
-  if (found.sides && thing.beside?.edge_mm !== undefined) said.unshift(say("edge_rule"));
   if (found.strap_90 !== null) said.push(say("strap_bears", values));
   return said.join(" ");
 }

@@ -1,10 +1,11 @@
 // A box or a cylinder on its support, in three dimensions: one frame of the film at a time.
-// As in the film, x is to the right, y to the back and z up.
+// As in the film, x is from its front to its back, y to its left and z up.
 
 import * as three from "./vendor/three.module.min.js";
 import { OrbitControls } from "./vendor/OrbitControls.js";
 import { say } from "./texts.js";
 import { behind, forceAt } from "./scene.js";
+import { basesOf } from "./state.js";
 import { RATE } from "./times.js";
 
 const SIDES = 48; // of a circle
@@ -55,7 +56,7 @@ export class View {
     const angle = (degrees * Math.PI) / 180;
     const { x, y, z } = this.camera.position;
     const far = Math.hypot(x, y);
-    this.camera.position.set(far * Math.sin(angle), -far * Math.cos(angle), z);
+    this.camera.position.set(-far * Math.cos(angle), -far * Math.sin(angle), z);
     this.controls.update();
     this.render();
   }
@@ -74,7 +75,7 @@ export class View {
     this.clear();
     const style = getComputedStyle(document.documentElement);
     const color = (name) => new three.Color(style.getPropertyValue(name).trim());
-    const size = Math.hypot(thing.width_m, thing.depth_m ?? thing.width_m, thing.height_m);
+    const size = Math.hypot(...basesOf(thing), thing.height_m);
     this.scene = new three.Scene();
     this.scene.background = color("--soft");
     this.scene.add(new three.HemisphereLight(0xffffff, 0x888888, 1.6));
@@ -84,9 +85,9 @@ export class View {
     Object.assign(grid.material, { transparent: true, opacity: 0.35 });
     this.scene.add(grid);
     this.table = new three.Group(); // moves with the ground
-    this.table.rotation.y = (-thing.tilt_deg * Math.PI) / 180; // downhill is to the left
+    this.table.rotation.y = (-thing.tilt_deg * Math.PI) / 180; // downhill is to its front
     const light = new three.DirectionalLight(0xffffff, 2);
-    light.position.set(-1.2 * size, -1.8 * size, 3 * size);
+    light.position.set(-1.8 * size, 1.2 * size, 3 * size);
     light.castShadow = true;
     Object.assign(light.shadow.camera, { left: -2 * size, right: 2 * size, top: 2 * size, bottom: -2 * size, far: 8 * size });
     light.shadow.mapSize.set(1024, 1024);
@@ -102,7 +103,7 @@ export class View {
     this.table.add(around, this.body, sign(size, style.getPropertyValue("--paper").trim()));
     this.scene.add(this.table, this.still, light);
     this.controls.target.set(0, 0, 0.35 * thing.height_m);
-    if (!this.size) this.camera.position.set(2.2, -3.6, 2).setLength(3.4 * size);
+    if (!this.size) this.camera.position.set(-3.6, -2.2, 2).setLength(3.4 * size);
     else this.camera.position.multiplyScalar(size / this.size);
     this.size = size;
     this.controls.update();
@@ -119,13 +120,13 @@ export class View {
     this.render();
   }
 
-  // From the middle of the top of its right side to the wall, or to a point behind that.
+  // From the middle of the top of its back to the wall, or to a point behind that.
   drawStrap(thing, force) {
     const { body, strap: line } = this;
     body.updateMatrix();
-    const right = thing.width_m / 2;
-    const point = new three.Vector3(right, 0, (1 - thing.cg_share) * thing.height_m).applyMatrix4(body.matrix);
-    const anchor = new three.Vector3(right + behind(thing.beside), 0, thing.height_m);
+    const back = basesOf(thing)[0] / 2;
+    const point = new three.Vector3(back, 0, (1 - thing.cg_share) * thing.height_m).applyMatrix4(body.matrix);
+    const anchor = new three.Vector3(back + behind(thing.beside), 0, thing.height_m);
     anchor.applyAxisAngle(new three.Vector3(0, 0, 1), ((thing.facing_deg ?? 0) * Math.PI) / 180);
     line.geometry.setFromPoints([point, anchor]);
     line.material.color.copy(force > 0 ? this.colors.taut : this.colors.loose);
@@ -149,27 +150,33 @@ function boxOf(length, width, height, color) {
   return mesh;
 }
 
-// The plate on which an object stands, cut at its edge.
+// The plate on which an object stands, cut at its edge, with the lip there.
 function plateOf(thing, size, color) {
   const thick = 0.04 * size, far = 1.3 * size, edge = thing.beside?.edge_mm;
-  const from = edge === undefined ? -far : -thing.width_m / 2 - edge / 1000;
+  const from = edge === undefined ? -far : -basesOf(thing)[0] / 2 - edge / 1000;
   const plate = boxOf(far - from, 2 * far, thick, color("--line"));
   plate.position.set((far + from) / 2, 0, -thick / 2);
+  const high = (thing.beside?.lip_mm ?? 0) / 1000;
+  if (high > 0) { // it begins at the edge and stands outside of it
+    const lip = boxOf(0.01 * size, 2 * far, high + thick, color("--line"));
+    lip.position.set(from - 0.005 * size - plate.position.x, 0, high / 2);
+    plate.add(lip);
+  }
   return plate;
 }
 
-// The wall at its right, which is vertical: its gap is from the nearest point of the object.
+// The wall behind it, which is vertical: its gap is from the nearest point of the object.
 export function wallAt(thing) {
   const facing = ((thing.facing_deg ?? 0) * Math.PI) / 180, tilt = (thing.tilt_deg * Math.PI) / 180;
   const placed = (x, y, z) => new three.Vector3(x, y, z)
     .applyAxisAngle(new three.Vector3(0, 0, 1), facing).applyAxisAngle(new three.Vector3(0, 1, 0), -tilt);
   const toward = placed(1, 0, 0).setZ(0).normalize();
-  const half = thing.width_m / 2, depth = (thing.depth_m ?? thing.width_m) / 2;
+  const [half, across] = basesOf(thing).map((size) => size / 2);
   const corners = [];
   for (let k = 0; k < SIDES; k += 1) {
     const angle = (2 * Math.PI * k) / SIDES;
     const x = thing.shape === "box" ? half * Math.sign(Math.cos(angle)) : half * Math.cos(angle);
-    const y = thing.shape === "box" ? depth * Math.sign(Math.sin(angle)) : half * Math.sin(angle);
+    const y = thing.shape === "box" ? across * Math.sign(Math.sin(angle)) : half * Math.sin(angle);
     for (const z of [0, thing.height_m]) corners.push(placed(x, y, z).dot(toward));
   }
   return { toward, far: Math.max(...corners) + thing.beside.wall_gap_mm / 1000 };
@@ -177,7 +184,7 @@ export function wallAt(thing) {
 
 function wallOf(thing, size, color) {
   const thick = 0.04 * size, { toward, far } = wallAt(thing);
-  const wall = boxOf(thick, 2 * (thing.depth_m ?? thing.width_m), 1.4 * thing.height_m, color("--line"));
+  const wall = boxOf(thick, 2 * basesOf(thing)[1], 1.4 * thing.height_m, color("--line"));
   wall.position.copy(toward).multiplyScalar(far + thick / 2).setZ(0.6 * thing.height_m);
   wall.rotation.z = Math.atan2(toward.y, toward.x);
   Object.assign(wall.material, { transparent: true, opacity: 0.6 });
@@ -199,17 +206,17 @@ function sign(size, color) {
   const material = new three.MeshBasicMaterial({ map, transparent: true, side: three.DoubleSide });
   const word = new three.Mesh(new three.PlaneGeometry(0.8 * size, 0.2 * size), material);
   word.scale.y = -1;
-  word.position.set(0, -0.9 * size, 0.004 * size);
+  word.rotation.z = -Math.PI / 2; // read from before the object
+  word.position.set(-0.9 * size, 0, 0.004 * size);
   return word;
 }
 
 // The object about its centre of gravity, with lines that show how it turns.
 function made(thing, color) {
-  const { shape, width_m, height_m } = thing;
-  const depth = thing.depth_m ?? width_m;
+  const { shape, height_m } = thing, [depth, width] = basesOf(thing);
   let geometry;
-  if (shape === "box") geometry = new three.BoxGeometry(width_m, depth, height_m);
-  else geometry = new three.CylinderGeometry(width_m / 2, width_m / 2, height_m, SIDES).rotateX(Math.PI / 2);
+  if (shape === "box") geometry = new three.BoxGeometry(depth, width, height_m);
+  else geometry = new three.CylinderGeometry(depth / 2, depth / 2, height_m, SIDES).rotateX(Math.PI / 2);
   const solid = new three.Mesh(geometry, new three.MeshLambertMaterial({ color: color("--act") }));
   solid.castShadow = true;
   const points = [];
@@ -217,12 +224,12 @@ function made(thing, color) {
   if (shape === "box") {
     for (let k = 1; k < 4; k += 1) { // shelves at the front
       const z = height_m * (k / 4 - 0.5);
-      points.push([-0.5 * width_m, -out * depth, z], [0.5 * width_m, -out * depth, z]);
+      points.push([-out * depth, -0.5 * width, z], [-out * depth, 0.5 * width, z]);
     }
   } else {
     for (let k = 0; k < 6; k += 1) {
       const angle = (k * Math.PI) / 3;
-      const x = out * width_m * Math.cos(angle), y = out * width_m * Math.sin(angle);
+      const x = out * depth * Math.cos(angle), y = out * depth * Math.sin(angle);
       points.push([x, y, -0.5 * height_m], [x, y, 0.5 * height_m]);
     }
   }

@@ -3,8 +3,9 @@
 // Of each number: the least and largest value that is taken, those of its slider and the slider's
 // step, and what it is by default.
 export const FIELDS = {
-  width_m: { least: 0.005, most: 20, from: 0.02, to: 3, step: 0.01, given: 0.32, length: true, text: "width" },
-  depth_m: { least: 0.005, most: 20, from: 0.02, to: 3, step: 0.01, given: 0.9, length: true, text: "depth" },
+  base_m: { least: 0.005, most: 20, from: 0.02, to: 3, step: 0.01, given: 0.32, length: true, text: "base" },
+  depth_m: { least: 0.005, most: 20, from: 0.02, to: 3, step: 0.01, given: 0.32, length: true, text: "depth" },
+  width_m: { least: 0.005, most: 20, from: 0.02, to: 3, step: 0.01, given: 0.9, length: true, text: "width" },
   height_m: { least: 0.005, most: 20, from: 0.05, to: 4, step: 0.01, given: 1.8, length: true, text: "height" },
   cg_share: { least: 0.01, most: 0.99, from: 0.1, to: 0.9, step: 0.01, given: 0.5, text: "cg" },
   eccentricity: { least: 0.01, most: 0.99, from: 0.1, to: 0.9, step: 0.01, given: 0.5, text: "side" },
@@ -23,26 +24,27 @@ export const FIELDS = {
   peak_g: { least: 0.001, most: 5, from: 0.05, to: 3, step: 0.05, given: 0.4, unit: "g", text: "peak" },
 };
 
-// Of each shape: the numbers that it has, and what its width is called.
+// Of each shape: the numbers that it has, and what its base is called.
 export const SHAPES = {
-  side: { fields: ["width_m", "height_m", "cg_share", "eccentricity", "tilt_deg"], width: "width" },
-  box: { fields: ["width_m", "depth_m", "height_m", "cg_share", "facing_deg", "tilt_deg"], width: "across" },
-  cylinder: { fields: ["width_m", "height_m", "cg_share", "tilt_deg", "rolling_friction_mm", "contour_friction_mm"], width: "diameter" },
+  side: { fields: ["base_m", "height_m", "cg_share", "eccentricity", "tilt_deg"], base: "base" },
+  box: { fields: ["depth_m", "width_m", "height_m", "cg_share", "facing_deg", "tilt_deg"] },
+  cylinder: { fields: ["base_m", "height_m", "cg_share", "tilt_deg", "rolling_friction_mm", "contour_friction_mm"], base: "diameter" },
 };
 
 // What may stand beside a thing, with the numbers that it has.
 export const BESIDE = { wall: ["wall_gap_mm"], strap: ["strap_slack_mm", "strap_stiffness_kn_m"], edge: ["edge_mm", "lip_mm"] };
 
-// The numbers of what stands beside a thing of some shape; only from the side there is a lip.
+// The numbers of what stands beside a thing.
 export function besideOf(state) {
-  const names = Object.entries(BESIDE).filter(([what]) => state[what]).flatMap(([, fields]) => fields);
-  return names.filter((name) => name !== "lip_mm" || state.shape === "side");
+  return Object.entries(BESIDE).filter(([what]) => state[what]).flatMap(([, fields]) => fields);
 }
 
 export function begin() {
   const state = { shape: "box", kind: "recording", name: "", reverse: false, slides: false, uploaded: null, unusable: false };
   for (const [name, field] of Object.entries(FIELDS)) state[name] = field.given;
   const told = new URLSearchParams(location.hash.slice(1));
+  // what is no box had its base as a width in links of before
+  if (told.get("shape") !== "box" && told.has("width_m") && !told.has("base_m")) told.set("base_m", told.get("width_m"));
   for (const [name, field] of Object.entries(FIELDS)) {
     const value = Number(told.get(name));
     if (!told.has(name)) continue;
@@ -82,6 +84,18 @@ export function thingOf(state) {
   const beside = besideOf(state);
   if (beside.length) thing.beside = Object.fromEntries(beside.map((name) => [name, state[name]]));
   return state.shape === "side" ? thing : { shape: state.shape, ...thing };
+}
+
+// Another shape: its size along the shaking stays.
+export function changeShape(state, shape) {
+  if (shape === "box" && state.shape !== "box") state.depth_m = state.base_m;
+  if (shape !== "box" && state.shape === "box") state.base_m = state.depth_m;
+  state.shape = shape;
+}
+
+// The sizes of a thing's base along x, from its front to its back, and along y.
+export function basesOf(thing) {
+  return thing.base_m === undefined || thing.base_m === null ? [thing.depth_m, thing.width_m] : [thing.base_m, thing.base_m];
 }
 
 // The question that is asked of a thing: "simulate" or "many".

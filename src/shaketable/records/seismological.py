@@ -1,4 +1,4 @@
-"""miniSEED, with the instrument's response from a StationXML file beside it. Needs ObsPy.
+"""miniSEED and SAC, with the instrument's response from a StationXML file beside it. Needs ObsPy.
 
 An accelerometer's counts are divided by its sensitivity; a seismometer's velocities are
 deconvolved. Samples without a response are taken as accelerations if their unit is given.
@@ -11,7 +11,7 @@ import logging
 import re
 import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from shaketable.errors import printable, refused
 from shaketable.extras import require
 from shaketable.language import tell
 from shaketable.records.component import Component, azimuth_of
+from shaketable.records.numbers import MOST_VALUES
 from shaketable.units import acceleration_factor
 
 if TYPE_CHECKING:
@@ -26,14 +27,31 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
+_ORDERS: tuple[Literal["little", "big"], ...] = ("little", "big")
+_SAC_HEADER = 632  # bytes
+_SAC_VERSIONS, _SAC_VERSION_AT, _SAC_COUNT_AT = (6, 7), 304, 316
 _RECORD = re.compile(rb"^\d{6}[DRQM][ \0]")
+_UNSAID = -12345.0  # in SAC
 _BAND = (0.02, 0.05)  # Hz: below this, a seismometer's response is noise
 _TOP = (0.8, 0.95)  # of the Nyquist frequency
 
 
 def recognise(raw: bytes) -> bool:
-    """Whether the bytes begin with a miniSEED record's fixed header."""
-    return bool(_RECORD.match(raw[:20])) or raw[:3] == b"MS\x03"
+    """Whether the bytes begin with a miniSEED record's fixed header, or with SAC's."""
+    return _kind(raw) != ""
+
+
+def _kind(raw: bytes) -> str:
+    """What ObsPy calls the format; "" if it is neither."""
+    if _RECORD.match(raw[:20]) or raw[:3] == b"MS\x03":
+        return "MSEED"
+    for order in _ORDERS:
+        version, count = (
+            int.from_bytes(raw[at : at + 4], order) for at in (_SAC_VERSION_AT, _SAC_COUNT_AT)
+        )
+        if len(raw) > _SAC_HEADER and version in _SAC_VERSIONS and 0 < count <= MOST_VALUES:
+            return "SAC"
+    return ""
 
 
 def read(path: Path, raw: bytes, units: str | None) -> list[Component]:
@@ -42,15 +60,19 @@ def read(path: Path, raw: bytes, units: str | None) -> list[Component]:
     Raises:
         InputError: ObsPy is missing, the record has gaps, or neither response nor unit is known.
     """
-    require("seismology", f"{path}: miniSEED")
+    kind = _kind(raw)
+    named = {"MSEED": "miniSEED"}.get(kind, kind)
+    require("seismology", f"{path}: {named}")
     import obspy
 
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error", UserWarning)  # a record that is cut or damaged
-            stream = obspy.read(io.BytesIO(raw), format="MSEED").merge(method=0)
+            stream = obspy.read(io.BytesIO(raw), format=kind).merge(method=0)
     except Exception as error:  # ObsPy raises what its C library says
-        raise refused(path, tell("cannot be read as miniSEED ({error})", error=error)) from None
+        raise refused(
+            path, tell("cannot be read as {kind} ({error})", kind=named, error=error)
+        ) from None
     texts = [trace.id for trace in stream if trace.data.dtype.kind not in "if"]
     if texts:
         log.warning("%s: left out, no samples: %s", path, ", ".join(map(printable, texts)))
@@ -58,7 +80,7 @@ def read(path: Path, raw: bytes, units: str | None) -> list[Component]:
     if not traces:
         raise refused(path, tell("holds no series of samples"))
     inventory = _inventory(path)
-    return [_component(path, trace, inventory, units) for trace in traces]
+    return [_component(path, trace, inventory, units, named) for trace in traces]
 
 
 def _inventory(path: Path) -> obspy.Inventory | None:
@@ -77,11 +99,14 @@ def _inventory(path: Path) -> obspy.Inventory | None:
 
 
 def _component(
-    path: Path, trace: Any, inventory: obspy.Inventory | None, units: str | None
+    path: Path, trace: Any, inventory: obspy.Inventory | None, units: str | None, kind: str
 ) -> Component:
     if np.ma.isMaskedArray(trace.data):
         raise refused(path, tell("{id} has gaps; cut the record before or after them", id=trace.id))
     azimuth = azimuth_of(trace.stats.channel)
+    if "sac" in trace.stats:  # which says it, or nothing
+        stated = float(trace.stats.sac.get("cmpaz", _UNSAID))
+        azimuth = azimuth if stated == _UNSAID else stated % 360.0
     try:
         if inventory is None:
             raise LookupError
@@ -112,7 +137,7 @@ def _component(
         event=str(trace.stats.starttime),
         location=trace.stats.location,
         processing=(done,),
-        format="miniSEED",
+        format=kind,
     )
 
 
