@@ -23,7 +23,7 @@ import numpy as np
 from benchmarks.solids import TABLE_1, boxes, cylinders, pairs, shaken
 from shaketable import Motion, Outcome, Solid, uneven_rims
 
-CHOICES = importlib.import_module("shaketable.simulate.space_input")
+CHOICES = importlib.import_module("shaketable.models.solid_input")
 #: Those that are changed to a tenth and to ten times.
 THRESHOLDS = (
     "BOUNCE", "SETTLE", "LEAVING", "TURNING", "SLOW", "SLIPPING", "LANDING", "HOVERING", "STARTING",

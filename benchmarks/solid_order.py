@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from tests.support.solid_order import cases, errors
 
-from shaketable.simulate.space_input import TOLERANCE
+from shaketable.models.solid_input import TOLERANCE
 
 
 def main() -> None:

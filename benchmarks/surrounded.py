@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-from tests.physics.surrounded.test_random import STEP, deepest, random_case, wave_of
+from tests.models.surrounded.test_random import STEP, deepest, random_case, wave_of
 from tests.support.surrounded import move
 
 from shaketable import (
@@ -94,7 +94,10 @@ def seconds_of_solids(
 
 
 def random(count: int, first: int) -> None:
-    """Random bodies: how many are lost or enter something by 1e-9 m, and the longest run."""
+    """Random bodies: how many are lost or enter something, and the longest run.
+
+    By 2e-9 m; by 1 mm where events were stepped over in steps of 0.1 ms.
+    """
     lost, longest, endings = [], 0.0, dict.fromkeys(range(5), 0)
     for seed in range(first, first + count):
         rng = np.random.default_rng(seed)
@@ -107,7 +110,8 @@ def random(count: int, first: int) -> None:
         shown = found._replace(state=found.state[:2000])
         endings[int(found.end.ending)] += 1
         fine = np.isfinite(shown.state).all() and found.end.ending < 4
-        if not fine or deepest(body, around, tilt, shown) > 1e-9:
+        most = 1e-3 if found.end.fallbacks else 2e-9
+        if not fine or deepest(body, around, tilt, shown) > most:
             lost.append(seed)
     print(f"{count} runs, lost {len(lost)} {lost[:10]}, the longest {longest:.2f} s")
     print(f"stood, fell, still rocked, still slid, not resolved: {list(endings.values())}")

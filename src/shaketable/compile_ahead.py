@@ -26,7 +26,6 @@ from shaketable.signal.intensity import intensity_measures
 from shaketable.simulate.many import simulate_many
 from shaketable.simulate.one import simulate
 from shaketable.solid import Solid
-from shaketable.surroundings import Surroundings, Wall
 
 TITLE = "compiling for this machine, once"
 
@@ -43,12 +42,6 @@ DRIVERS = {
     "move_solid": Driver(
         "shaketable.physics.space.drive",
         lambda quiet, tall, rough: simulate(Solid.box(0.4, 0.4, 1.0), quiet, model=rough),
-    ),
-    "move_surrounded": Driver(
-        "shaketable.physics.surrounded.run",
-        lambda quiet, tall, rough: simulate(
-            tall, quiet, model=rough, surroundings=Surroundings(walls=(Wall(),))
-        ),
     ),
     "move_many": Driver(
         "shaketable.engine.general_many",

@@ -48,6 +48,8 @@ class Response(ABC):
         model: the contact model, with its parameters.
         body, motion, support: what was simulated.
         surroundings: what stood beside it and held it, if anything did.
+        held_up: whether it did not fall, and would without its walls, straps and pads: the run goes
+            on from its last state with the ground at rest and nothing there but the support.
         strap_force: the largest force of each strap [N].
         strap_broke_at: when each broke [s], NaN for one that did not.
         off_edge: whether it fell off its support, over the edge; then `overturning_time` is that of
@@ -74,6 +76,7 @@ class Response(ABC):
     motion: Motion
     support: Support
     surroundings: Surroundings | None
+    held_up: bool = False
     strap_force: tuple[float, ...] = ()
     strap_broke_at: tuple[float, ...] = ()
     off_edge: bool = False
@@ -109,7 +112,8 @@ class PlanarResponse(Response):
     """The result of one planar simulation; its history ends when the body overturns.
 
     Attributes:
-        impacts: up to the certified end of a bounce sequence.
+        impacts: up to the certified end of a bounce sequence; among surroundings how often some
+            corner landed, or struck something.
         impact_times: [s], shape (impacts,).
         rotation: θ relative to the support [rad], positive toward +x, shape (n,); its peak was
             found between samples too.
@@ -117,12 +121,10 @@ class PlanarResponse(Response):
         position, velocity: from the foot of the centre of gravity at rest [m, m/s], shape (n, 2).
         slip: how far the lowest corner has moved along the support [m], + toward +x, shape (n,);
             zero in the rocking model.
-        leaning: whether it ended upright but turned by more than 0.001 rad, on a wall, in a strap
-            or at an edge; whether it would fall without these is not simulated in the plane.
         slip_downhill, slip_uphill: farthest slip while a corner is on the support [m].
         phase_times: when each phase begins [s], shape (k,); to within a sample in the rocking
             model.
-        phases: the k phases; among surroundings what the contacts on the support do, at the
+        phases: the k phases; among surroundings what the corners on the support do, at the
             motion's samples.
         fallbacks: how often accumulating events among surroundings were stepped over in time steps
             of 0.1 ms.
@@ -138,7 +140,6 @@ class PlanarResponse(Response):
     phase_times: NDArray[np.float64]
     phases: tuple[Phase, ...]
     fallbacks: int = 0
-    leaning: bool = False
 
     @property
     def strap_forces(self) -> NDArray[np.float64]:

@@ -64,8 +64,6 @@ class SolidResponse(Response):
         farthest_displacement: that the foot was from where it stood, at the ends of steps [m].
         max_lift: at the ends of steps.
         impacts: how often some point landed.
-        held_up: whether it did not fall, and would without its walls, straps and pads: the run goes
-            on from its last state with the ground at rest and nothing there but the support.
         position, velocity: shape (n, 3); z from the support.
         quaternions: the body's frame to the support's, scalar last, shape (n, 4).
         angular_velocity: in the body's frame [rad/s], shape (n, 3).
@@ -93,7 +91,6 @@ class SolidResponse(Response):
     grip: tuple[Grip, ...]
     fallbacks: int
     orientation: float
-    held_up: bool = False
 
     @property
     def rotation(self) -> Rotation:

@@ -10,11 +10,11 @@ from typing import NamedTuple
 import numpy as np
 
 from shaketable import General, InputError, Motion, Solid, Strap, Surroundings, Wall, uneven_rims
+from shaketable.models.held import columns_of
+from shaketable.models.solid_input import ground_of, shapes_of
 from shaketable.physics.space.drive import move_solid
-from shaketable.physics.space.run import SUMMARY, RunSummary, SolidTrace
-from shaketable.physics.space.workspace import STATE
-from shaketable.simulate.around import columns_of
-from shaketable.simulate.space_input import ground_of, shapes_of, standing_limit
+from shaketable.physics.space.run import SUMMARY, RunSummary, make_trace
+from shaketable.simulate.standing import standing_limit
 
 
 class Shaken(NamedTuple):
@@ -147,7 +147,7 @@ def run(shaken: Shaken) -> tuple[RunSummary, float]:
     """What was found, and how long a core took for it [s]."""
     shapes, workspaces = shapes_of(shaken.solid, shaken.model, shaken.surroundings)
     found = np.empty((1, columns_of(shaken.surroundings)))
-    nothing = SolidTrace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
+    nothing = make_trace(0)
     start = time.process_time()
     move_solid(shapes, workspaces, ground_of(shaken.motion), shaken.stand, False, nothing, found)
     return RunSummary(*found[0, :SUMMARY].tolist()), time.process_time() - start

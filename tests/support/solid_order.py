@@ -9,10 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable import General, Motion, Solid
+from shaketable.models.solid_input import ground_of, shapes_of
 from shaketable.physics.space.drive import move_solid
-from shaketable.physics.space.run import RunSummary, SolidTrace
-from shaketable.physics.space.workspace import STATE
-from shaketable.simulate.space_input import ground_of, shapes_of
+from shaketable.physics.space.run import RunSummary, make_trace
 
 TRUTH = 1e-14
 TOLERANCES = (1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12)
@@ -59,7 +58,7 @@ def ended(case: Case, tolerance: float) -> Ended:
     """A case at the end of its motion, with a tolerance of its steps."""
     shapes, workspaces = shapes_of(case.solid, case.model)
     n = case.motion.horizontal.size
-    trace = SolidTrace(np.zeros((n, STATE)), np.zeros(n, np.int8), np.zeros(n, np.int8))
+    trace = make_trace(n)
     found = np.zeros((1, len(RunSummary._fields)))
     stand = np.array([[0.0, 0.0, 0.0, 1.0, 1.0]])
     shapes["tolerance"] = tolerance

@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
 from shaketable import General, Motion, Solid, SolidResponse, Surroundings
-from shaketable.simulate.around import columns_of
-from shaketable.simulate.space_input import ground_of, shapes_of
+from shaketable.models.held import columns_of
+from shaketable.models.solid_input import ground_of, shapes_of
 from shaketable.units import STANDARD_GRAVITY
 
 Floats = NDArray[np.float64]
@@ -53,8 +53,7 @@ def released(
     The gap of a wall is from where the body is as it is let go.
     """
     from shaketable.physics.space.drive import move_solid
-    from shaketable.physics.space.run import SUMMARY, RunSummary, SolidTrace
-    from shaketable.physics.space.workspace import STATE
+    from shaketable.physics.space.run import SUMMARY, RunSummary, make_trace
 
     shapes, workspaces = shapes_of(solid, model, surroundings)
     x, y, z, w = rotation.as_quat()
@@ -68,7 +67,7 @@ def released(
         *np.asarray(spin),
     ]
     samples = motion.horizontal.size
-    trace = SolidTrace(np.full((samples, STATE), np.nan), *np.zeros((2, samples), np.int8))
+    trace = make_trace(samples)
     numbers = np.zeros((1, columns_of(surroundings)))
     stands = np.array([[tilt, azimuth, 0.0, 1.0, 1.0]])
     move_solid(shapes, workspaces, ground_of(motion), stands, True, trace, numbers)

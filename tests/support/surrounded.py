@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -9,27 +10,41 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable import Body, General, Surroundings
+from shaketable.models.in_plane import planar_states
 from shaketable.models.model import Held
-from shaketable.models.surrounded import Friction, held_of, scenes_of
+from shaketable.models.surrounded import Place, ground_of, let_go, scenes_of, told_of
+from shaketable.models.surrounded import move as move_deep
 from shaketable.physics.plane.forcing import Shaking
-from shaketable.physics.surrounded.run import (
-    SUMMARY,
-    SurroundedSummary,
-    SurroundedTrace,
-    move_surrounded,
-)
-from shaketable.physics.surrounded.scene import STATE, make_workspace
+from shaketable.physics.space.run import RunSummary, make_trace
 from shaketable.units import STANDARD_GRAVITY
 
 Floats = NDArray[np.float64]
 
 
+class End(NamedTuple):
+    """How a run ended, by the names of `ManyRuns` and `Held`; NaN or False without an edge."""
+
+    ending: int
+    direction: float
+    peak: float
+    impacts: float
+    slip: float
+    fallbacks: float
+    held_up: bool
+    off_edge: bool
+    left_at: float
+    landing_time: float
+    landing_x: float
+    landing_speed: float
+    landing_rotation: float
+
+
 class Moved(NamedTuple):
     """What became of a body."""
 
-    end: SurroundedSummary
+    end: End
     held: Held
-    state: Floats  # (n, 6): x, y, θ and their rates at the samples
+    state: Floats  # (n, 6): x, z, θ and their rates at the samples
 
 
 def move(
@@ -44,26 +59,34 @@ def move(
     rotation: float = 0.0,
     samples: int = 0,
 ) -> Moved:
-    """One body from a state on (x, y, θ and their rates), or let go at a rotation [rad]."""
-    friction = Friction(
-        model.static_friction,
-        model.sliding_friction,
-        model.normal_restitution,
-        model.restitution_factor,
-    )
-    scenes = scenes_of([body], np.array([tilt]), [around], friction)
-    work = make_workspace()
+    """One body from a state on (x, z, θ and their rates), or let go at a rotation [rad]."""
+    scene = scenes_of([body], np.array([tilt]), [around], model)[0]
+    shaking = Shaking(acceleration, np.full(acceleration.size, STANDARD_GRAVITY), step)
+    place, rates = let_go(body, rotation) if rotation else None, (0.0, 0.0, 0.0)
     if state is not None:
-        work[0].state[:] = state
-    gravity = np.full(acceleration.size, STANDARD_GRAVITY)
-    found = np.zeros((1, SUMMARY + 2 * len(around.straps)))
-    trace = SurroundedTrace(
-        np.full((samples, STATE), np.nan), np.empty(samples), np.empty(0), np.empty(0, np.int8),
-        np.empty(0),
-    )  # fmt: skip
-    move_surrounded(
-        scenes, work, Shaking(acceleration, gravity, step), np.ones(1), rotation,
-        state is not None, trace, found,
-    )  # fmt: skip
-    end = SurroundedSummary(*found[0, :SUMMARY].tolist())
-    return Moved(end, held_of(scenes, found), trace.state[: int(end.samples)])
+        x, z, theta, *rates = state
+        place = Place(x, z, theta)
+    trace = make_trace(samples)
+    found = move_deep(scene, ground_of(shaking), np.ones(1), trace, place, rates)
+    summary = RunSummary(*found.summary[0].tolist())
+    told, held = told_of(summary, found, acceleration.size), found.held
+
+    def one(values: NDArray[np.generic] | None) -> float:
+        return math.nan if values is None else float(values[0])
+
+    end = End(
+        ending=int(told["ending"]),
+        direction=told["direction"],
+        peak=summary.peak,
+        impacts=summary.impacts,
+        slip=told["slip"],
+        fallbacks=summary.fallbacks,
+        held_up=bool(held.held_up is not None and held.held_up[0]),
+        off_edge=bool(held.off_edge is not None and held.off_edge[0]),
+        left_at=one(held.left_support_at),
+        landing_time=one(held.landing_time),
+        landing_x=one(held.landing_x),
+        landing_speed=one(held.landing_speed),
+        landing_rotation=one(held.landing_rotation),
+    )
+    return Moved(end, held, planar_states(trace.state[: int(summary.samples)]))

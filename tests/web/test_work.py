@@ -105,7 +105,7 @@ def test_what_stands_beside_it_is_simulated() -> None:
     forces = np.interp(at, again.time, again.strap_forces[:, 0]) / weight
     np.testing.assert_allclose(found.frames.strap, forces, atol=6e-5)
     alone = work.shake(Shake(thing=SHELF, shaking=Recording(name="NORTHR/MUL009")))
-    assert (alone.leaning, alone.off_edge, alone.strap_peak, alone.frames.strap) == (
+    assert (alone.held_up, alone.off_edge, alone.strap_peak, alone.frames.strap) == (
         False, False, None, [],
     )  # fmt: skip
     assert alone.outcome != "standing"

@@ -18,7 +18,7 @@ from shaketable.inventory import Item, read_inventory, solid_of
 from shaketable.inventory.directions import directed
 from shaketable.simulate.checks import stand
 from shaketable.simulate.kinds import are_solids
-from shaketable.simulate.space_input import standing_limit
+from shaketable.simulate.standing import standing_limit
 from shaketable.solid import ROLLING_RESISTANCE, Solid
 from shaketable.surroundings import Surroundings
 from shaketable.toml_file import TomlFile, is_number

@@ -62,16 +62,10 @@ def local(workers: int) -> Iterator[Any]:
     with ExitStack() as begun:
         try:
             with _without_ctrl_c():
-                cluster = begun.enter_context(
-                    _closed(
-                        LocalCluster(
-                            n_workers=workers,
-                            threads_per_worker=1,
-                            dashboard_address=":0",
-                            memory_limit=0,
-                        )
-                    )
+                cluster: Any = LocalCluster(  # type: ignore[no-untyped-call]
+                    n_workers=workers, threads_per_worker=1, dashboard_address=":0", memory_limit=0
                 )
+                begun.enter_context(_closed(cluster))
                 client = begun.enter_context(_closed(client_class(cluster)))
         except (OSError, RuntimeError) as error:  # their waiting goes by the time of day
             raise SimulationError(

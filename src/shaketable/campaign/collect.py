@@ -32,8 +32,8 @@ def falls_table(results: xr.Dataset, plan: Plan) -> pd.DataFrame:
     Shares count simulations; their intervals are Wilson's over the recordings, as motions of one
     recording are no experiments of their own. `fall_error_events` is the standard error of the
     share where events are the experiments: recordings of one earthquake may be alike. In
-    surroundings `held_up` counts Solids that did not fall, and would without their walls and
-    straps; `leaning` counts planar bodies that ended turned.
+    surroundings `held_up` counts bodies that did not fall, and would without their walls and
+    straps.
 
     Args:
         results: what `open_campaign` returns.

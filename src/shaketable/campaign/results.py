@@ -43,8 +43,8 @@ def open_campaign(store: str | Path, *, partial: bool = False, check: bool = Tru
         summary over (body, tilt, scale): falls `downhill` and `uphill` of `simulations`; the sums
         of their squares and products over recordings and events, `moments` (level, moment, ...);
         `peaks`, counts by bin of the peak rotation, whose values [rad] are the coordinate `bin`,
-        a fall in the last one; in surroundings how many are `held_up`, or `leaning` in the
-        plane; and `by_recording` (direction, recording, ...) if it was kept.
+        a fall in the last one; in surroundings how many are `held_up`; and
+        `by_recording` (direction, recording, ...) if it was kept.
 
     Raises:
         InputError: no campaign is there, or it is not done.

@@ -10,7 +10,7 @@ from shaketable.campaign.bodies import MOST_NAMED, Bodies, Held
 from shaketable.errors import InputError, named
 from shaketable.models import Model
 from shaketable.simulate.kinds import are_solids
-from shaketable.simulate.space_input import require_surrounded
+from shaketable.simulate.standing import require_surrounded
 from shaketable.spelled_surroundings import metres, read_strap, surroundings_of
 from shaketable.surroundings import Surroundings
 from shaketable.toml_file import TomlFile

@@ -23,11 +23,6 @@ if TYPE_CHECKING:
     from shaketable.campaign.simulations import Simulations
     from shaketable.campaign.work import Work
 
-#: What a campaign counts of bodies that did not fall, in words behind their number.
-ENDS = {
-    "held_up": "leave it held up by its wall or strap alone",
-    "leaning": "leave it leaning on a wall or in a strap",
-}
 
 campaign = typer.Typer(
     no_args_is_help=True,
@@ -155,8 +150,8 @@ def _write_falls(
     written = write_folder(out, run, overwrite=overwrite, tables=tables, parquet=tables)
     falls, simulations = int(table["falls"].sum()), int(table["simulations"].sum())
     share = 100 * falls / simulations
-    counts = {name: int(table[name].sum()) if name in table else 0 for name in ENDS}
-    stays = "".join(f"; {count:,} {ENDS[name]}" for name, count in counts.items() if count)
+    held = int(table["held_up"].sum()) if "held_up" in table else 0
+    stays = f"; {held:,} leave it held up by its wall or strap alone" if held else ""
     say(f"{falls:,} of {simulations:,} simulations overturn their body ({share:.3g} %){stays}")
     say(f"{len(table):,} rows, one for each body, tilt and scale, in {out}: {', '.join(written)}")
 

@@ -49,15 +49,13 @@ def _of_plane(response: PlanarResponse) -> dict[str, Any]:
                 for start, phase in zip(response.phase_times, response.phases, strict=True)
             ],
         }
-        if response.surroundings:
-            summary["leaning"] = response.leaning
         summary |= _held(response)
     return summary
 
 
 def _held(response: Response) -> dict[str, Any]:
     """What surroundings did, if there are any."""
-    held: dict[str, Any] = {}
+    held: dict[str, Any] = {"held_up": response.held_up} if response.surroundings else {}
     if response.strap_force:
         broke = [None if math.isnan(each) else each for each in response.strap_broke_at]
         held |= {"strap_force_n": list(response.strap_force), "strap_broke_at_s": broke}
@@ -85,12 +83,10 @@ def _said_of_plane(response: PlanarResponse) -> str:
         said = f"overturns {way} at {when:.3f} s, after {response.impacts} impacts"
         if response.off_edge:
             said = _fell_off(response, way)
-    elif response.leaning:
-        angle = abs(math.degrees(float(response.rotation[-1])))
+    elif response.held_up:
         said = (
-            f"does not fall, but ends leaning {_leans_on(response)} by {angle:.3g}° (whether it "
-            "would fall without is not known in the plane); it rocks by at most "
-            f"{peak:.3g}°, with {response.impacts} impacts"
+            f"does not fall, but {_held_by(response)} alone keeps it from falling; it rocks by at "
+            f"most {peak:.3g}°, with {response.impacts} impacts"
         )
     else:
         rocks = f"rocks by at most {peak:.3g}°, with {response.impacts} impacts"
@@ -137,7 +133,6 @@ def _of_solid(response: SolidResponse) -> dict[str, Any]:
         "max_lift_m": response.max_lift,
         "impacts": response.impacts,
         "fallbacks": response.fallbacks,
-        **({"held_up": response.held_up} if response.surroundings else {}),
         **_held(response),
     }
 
@@ -177,14 +172,6 @@ def _held_by(response: Response) -> str:
     wall = "its wall" if around and around.walls else ""
     strap = "its strap" if around and around.straps else ""
     return " or ".join(part for part in (wall, strap) if part)
-
-
-def _leans_on(response: Response) -> str:
-    """What a body that leans may lean on or in."""
-    around = response.surroundings
-    on = "on a wall" if around and around.walls else ""
-    held = "in its straps" if around and around.straps else ""
-    return " or ".join(part for part in (on, held) if part) or "at the edge"
 
 
 def _said_of_straps(response: Response) -> str:

@@ -21,7 +21,6 @@ COMPILED_TOGETHER = {
     "engine": ("physics/plane", "engine"),
     "oscillators": ("oscillators",),
     "space": ("physics/space",),
-    "surrounded": ("physics/surrounded", "physics/plane"),
 }
 SHARED_SOURCES = ("compiled/*.py", "physics/dormand_prince.py", "physics/hermite.py", "units.py")
 

@@ -12,7 +12,7 @@ from shaketable.inventory.item import Item
 from shaketable.inventory.shapes import solid_of
 from shaketable.inventory.vocabulary import plain, words_of
 from shaketable.language import tell
-from shaketable.simulate.space_input import require_surrounded
+from shaketable.simulate.standing import require_surrounded
 from shaketable.solid import ROLLING_RESISTANCE
 from shaketable.spelled_surroundings import EXAMPLE, read_strap, surroundings_of
 

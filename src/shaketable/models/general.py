@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,10 +16,9 @@ from shaketable.errors import InputError, keep_floats, require_number
 from shaketable.language import tell, translated
 from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
+from shaketable.models.held import nothing_held
 from shaketable.models.model import ManyRuns, Model, OneRun, Table
 from shaketable.models.surrounded import (
-    Friction,
-    nothing_held,
     require_surrounded,
     run_one_surrounded,
     run_surrounded,
@@ -129,22 +128,8 @@ class General(Model):
         )
         table = Table(blocks_of(rows), rows, tabulate_corners(rows))
         if any(surroundings):
-            table = table._replace(scenes=self._scenes(bodies, tilts, surroundings))
+            table = table._replace(scenes=scenes_of(bodies, tilts, surroundings, self))
         return table
-
-    def _scenes(
-        self,
-        bodies: Sequence[Body],
-        tilts: NDArray[np.float64],
-        surroundings: Sequence[Surroundings | None],
-    ) -> NDArray[Any]:
-        friction = Friction(
-            self.static_friction,
-            self.sliding_friction,
-            self.normal_restitution,
-            self.restitution_factor,
-        )
-        return scenes_of(bodies, tilts, surroundings, friction)
 
     def require_surrounded(self, body: Body, surroundings: Surroundings, tilt: float) -> None:
         require_surrounded(body, surroundings)
@@ -185,11 +170,11 @@ class General(Model):
         shaking = refined(motion, parts)
         alone = None
         if surroundings:
-            scenes = self._scenes([body], np.array([tilt]), [surroundings])
-            run = run_one_surrounded(scenes, tilt, shaking, parts, initial_rotation)
+            scene = scenes_of([body], np.array([tilt]), [surroundings], self)[0]
+            run = run_one_surrounded(scene, shaking, parts, initial_rotation)
             if run is not None:
                 return run
-            alone = nothing_held(scenes)
+            alone = nothing_held([surroundings])
         samples, events = shaking.a_x.size, EVENTS
         summary, series = np.empty(len(PlanarSummary._fields)), np.zeros((ROWS, TERMS))
         while True:

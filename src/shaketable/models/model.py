@@ -26,8 +26,8 @@ class Table(NamedTuple):
     Attributes:
         blocks: for the rocking model, (n, numbers of a Block).
         bodies, corners: for the general model, (n, ...); (0, 0) without it.
-        scenes: what surrounds them in the general model, (n,) records of a
-            `physics.surrounded.scene.Scene`; (0,) where nothing does.
+        scenes: the bodies among what surrounds them in the general model, (n,) of
+            `models.surrounded.Scene`; (0,) where nothing does.
     """
 
     blocks: NDArray[np.float64]
@@ -46,10 +46,7 @@ class Held(NamedTuple):
     Attributes:
         strap_force: the largest of each strap [N], (run, strap).
         strap_broke_at: when it broke [s], NaN if it did not, (run, strap).
-        held_up: of a solid, whether it did not fall, and would without its walls and straps,
-            (run,); None of a planar body.
-        leaning: of a planar body, whether it ended upright but turned by more than 0.001 rad,
-            (run,); None of a solid.
+        held_up: whether it did not fall, and would without its walls and straps, (run,).
         off_edge: whether it left its support over the edge, (run,); None, and so are the others,
             without one.
         left_support_at, landing_time: when it did, and when it came down [s], NaN if it did not.
@@ -60,8 +57,7 @@ class Held(NamedTuple):
 
     strap_force: NDArray[np.float64]
     strap_broke_at: NDArray[np.float64]
-    held_up: NDArray[np.bool_] | None = None
-    leaning: NDArray[np.bool_] | None = None
+    held_up: NDArray[np.bool_]
     off_edge: NDArray[np.bool_] | None = None
     left_support_at: NDArray[np.float64] | None = None
     landing_time: NDArray[np.float64] | None = None

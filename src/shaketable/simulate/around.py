@@ -6,13 +6,9 @@ import logging
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from shaketable.errors import InputError
 from shaketable.models.model import Held, Model
 from shaketable.simulate.result_fields import Part
-from shaketable.solid import Solid
 from shaketable.surroundings import Surroundings
 
 log = logging.getLogger(__name__)
@@ -52,42 +48,6 @@ def warn_of(around: Sequence[Surroundings | None], model: Model) -> None:
             "millimetres, or average over gaps of 0 to 5 mm",
             max(back),
         )
-
-
-def columns_of(surroundings: Surroundings | None) -> int:
-    """How many numbers a run of a solid in such surroundings tells."""
-    from shaketable.physics.space.landing import EDGE
-    from shaketable.physics.space.run import SUMMARY
-
-    if not surroundings:
-        return SUMMARY
-    return SUMMARY + 1 + 2 * len(surroundings.straps) + (EDGE if surroundings.edge else 0)
-
-
-def held_of(found: NDArray[np.float64], surroundings: Surroundings, solid: Solid) -> Held:
-    """What surroundings did, by what runs of a solid have found, (run, column)."""
-    from shaketable.physics.space import landing
-    from shaketable.physics.space.run import SUMMARY
-
-    straps = len(surroundings.straps)
-    each = found[:, SUMMARY + 1 : SUMMARY + 1 + 2 * straps].reshape(len(found), straps, 2)
-    held = Held(
-        held_up=found[:, SUMMARY] > 0.5,
-        strap_force=(solid.mass or np.nan) * each[..., 0],
-        strap_broke_at=each[..., 1].copy(),
-    )
-    if not surroundings.edge:
-        return held
-    told = found[:, SUMMARY + 1 + 2 * straps :]
-    return held._replace(
-        off_edge=told[:, landing.OFF] > 0.5,
-        left_support_at=told[:, landing.LEFT_AT].copy(),
-        landing_time=told[:, landing.LANDING_TIME].copy(),
-        landing_x=told[:, landing.LANDING_X].copy(),
-        landing_y=told[:, landing.LANDING_Y].copy(),
-        landing_speed=told[:, landing.LANDING_SPEED].copy(),
-        landing_rotation=told[:, landing.LANDING_TURN].copy(),
-    )
 
 
 def with_held(part: Part, held: Held) -> Part:

@@ -168,12 +168,10 @@ class Ensemble:
 
     @property
     def held_field(self) -> str:
-        """The field that tells what its surroundings alone may hold; "" where none is told."""
-        for name in ("held_up", "leaning"):
-            field = FIELDS[name]
-            if self.kind.has(self.model) in field.of and field.is_told(self.surroundings):
-                return name
-        return ""
+        """The field that tells what its surroundings alone hold up; "" where it is not told."""
+        field = FIELDS["held_up"]
+        told = self.kind.has(self.model) in field.of and field.is_told(self.surroundings)
+        return "held_up" if told else ""
 
     def around(self, body: int) -> Surroundings | None:
         """What surrounds a body."""

@@ -27,7 +27,7 @@ from shaketable.progress import Progress, meter
 from shaketable.simulate import plane, result_fields, space
 from shaketable.simulate.checks import numbers, require_stable, warn
 from shaketable.simulate.result_fields import Part
-from shaketable.simulate.space_input import model_for_solids
+from shaketable.simulate.standing import model_for_solids
 from shaketable.solid import Solid
 from shaketable.surroundings import Surroundings
 

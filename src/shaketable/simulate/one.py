@@ -20,7 +20,7 @@ from shaketable.simulate.around import held_by, listed_surroundings, warn_of
 from shaketable.simulate.checks import require_kind, require_stable, warn
 from shaketable.simulate.kinds import kind_of
 from shaketable.simulate.one_solid import simulate_solid
-from shaketable.simulate.space_input import model_for_solids
+from shaketable.simulate.standing import model_for_solids
 from shaketable.solid import Solid
 from shaketable.solid_response import SolidResponse
 from shaketable.support import Support

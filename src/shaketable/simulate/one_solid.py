@@ -13,16 +13,16 @@ from shaketable.engine.endings import Ending
 from shaketable.errors import InputError, require_number
 from shaketable.language import translated
 from shaketable.models import Model
+from shaketable.models.held import columns_of, held_of
 from shaketable.models.model import Held
+from shaketable.models.solid_input import ground_of, shapes_of
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
-from shaketable.simulate.around import columns_of, held_by, held_of
-from shaketable.simulate.space_input import (
-    ground_of,
+from shaketable.simulate.around import held_by
+from shaketable.simulate.standing import (
     model_for_solids,
     require_standing,
     require_surrounded,
-    shapes_of,
     upright,
 )
 from shaketable.solid import Solid
@@ -49,8 +49,8 @@ def simulate_solid(
 ) -> SolidResponse:
     """Shake one solid and keep its history; arguments as for `simulate`."""
     from shaketable.physics.space.drive import move_solid
-    from shaketable.physics.space.run import OVERTURNED, SUMMARY, RunSummary, SolidTrace
-    from shaketable.physics.space.workspace import STATE, Q
+    from shaketable.physics.space.run import OVERTURNED, SUMMARY, RunSummary, make_trace
+    from shaketable.physics.space.workspace import Q
 
     general = model_for_solids(model)
     require_number("orientation [rad]", orientation)
@@ -66,7 +66,7 @@ def simulate_solid(
     samples = motion.horizontal.size + FREE_SAMPLES
     numbers = np.zeros((1, columns_of(surroundings)))
     while True:
-        trace = SolidTrace(np.empty((samples, STATE)), *np.empty((2, samples), np.int8))
+        trace = make_trace(samples)
         move_solid(shapes, workspaces, ground, stands, False, trace, numbers)
         found = RunSummary(*numbers[0, :SUMMARY].tolist())
         if found.samples <= samples:
@@ -75,7 +75,7 @@ def simulate_solid(
     n = int(found.samples)
     log_ending(found, solid)
     fell = int(found.ending) == OVERTURNED
-    held = held_of(numbers, surroundings, solid) if surroundings else None
+    held = held_of(numbers, surroundings, solid.mass) if surroundings else None
     state = trace.state[:n]
     toward = math.cos(found.fall_azimuth - azimuth) if fell else math.nan
     return SolidResponse(

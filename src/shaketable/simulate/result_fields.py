@@ -103,11 +103,7 @@ FIELDS = {
     ),
     "held_up": Field(
         np.bool_, "", "in surroundings: did not fall, and would without its walls and straps",
-        (SOLID,), held=True,
-    ),
-    "leaning": Field(
-        np.bool_, "", "in surroundings: ended upright, turned by more than 0.001 rad", (GENERAL,),
-        held=True,
+        MOVING, held=True,
     ),
     "strap_force": Field(
         np.float64, "N", "with straps: largest force of each", MOVING, held=True, along="strap"

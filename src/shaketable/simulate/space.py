@@ -11,17 +11,13 @@ from numpy.typing import NDArray
 
 from shaketable.errors import InputError, joined
 from shaketable.models import General
+from shaketable.models.held import columns_of, held_of
+from shaketable.models.solid_input import ground_of, shapes_of
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
-from shaketable.simulate.around import columns_of, held_of, with_held
+from shaketable.simulate.around import with_held
 from shaketable.simulate.result_fields import Part
-from shaketable.simulate.space_input import (
-    ground_of,
-    require_surrounded,
-    shapes_of,
-    standing_limit,
-    upright,
-)
+from shaketable.simulate.standing import require_surrounded, standing_limit, upright
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.surroundings import Surroundings
@@ -63,13 +59,12 @@ def tasks_of(model: General, batches: Iterable[SolidBatch]) -> Iterator[Callable
 def _tasks(batch: SolidBatch, model: General) -> Iterator[Callable[[], Part]]:
     """The runs of a batch, some in each task."""
     from shaketable.physics.space.drive import move_solid
-    from shaketable.physics.space.run import SUMMARY, SolidTrace
-    from shaketable.physics.space.workspace import STATE
+    from shaketable.physics.space.run import SUMMARY, make_trace
 
     around = batch.surroundings
     shapes, workspaces = shapes_of(batch.solid, model, batch.surroundings)
     ground = ground_of(batch.motion)
-    nothing = SolidTrace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
+    nothing = make_trace(0)
 
     def run(first: int) -> Part:
         some = slice(first, first + RUNS_PER_TASK)
@@ -77,7 +72,7 @@ def _tasks(batch: SolidBatch, model: General) -> Iterator[Callable[[], Part]]:
         found = np.zeros((members.size, columns_of(around)))
         move_solid(shapes, workspaces.copy(), ground, stands, False, nothing, found)
         part = part_of(members, stands, found[:, :SUMMARY])
-        return with_held(part, held_of(found, around, batch.solid)) if around else part
+        return with_held(part, held_of(found, around, batch.solid.mass)) if around else part
 
     return (partial(run, first) for first in range(0, batch.members.size, RUNS_PER_TASK))
 

@@ -18,7 +18,7 @@ from shaketable.progress import Progress, meter
 from shaketable.resampling import ends, resamples
 from shaketable.simulate import ShakingSet, require_stable
 from shaketable.simulate.kinds import PLANE
-from shaketable.simulate.space_input import model_for_solids
+from shaketable.simulate.standing import model_for_solids
 from shaketable.solid import Solid
 from shaketable.support import Support
 from shaketable.surroundings import Surroundings

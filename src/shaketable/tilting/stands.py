@@ -13,7 +13,7 @@ from shaketable.body import Body
 from shaketable.outcome import Outcome
 from shaketable.progress import Progress
 from shaketable.simulate import ShakingSet, fell, simulate_each
-from shaketable.simulate.space_input import standing_limit
+from shaketable.simulate.standing import standing_limit
 from shaketable.solid import Solid
 from shaketable.tilting.counts import TiltCounts, count_outcomes
 

@@ -48,6 +48,9 @@ class GroundTrace(BaseModel):
 class Surrounded(BaseModel):
     """What became of a thing among what surrounds it."""
 
+    held_up: bool = Field(
+        False, description="it did not fall, and would without its wall and strap"
+    )
     off_edge: bool = Field(False, description="it fell off its support")
     strap_peak: float | None = Field(
         None, description="largest force of its strap over its weight; null: it has none"
@@ -59,7 +62,6 @@ class ShakenThing(Surrounded):
 
     outcome: Literal["standing", "left", "right"]
     moving: bool = Field(description="it had neither fallen nor come to rest at the end")
-    leaning: bool = Field(False, description="it ended upright, turned by more than 0.001 rad")
     time_s: float | None = Field(description="of the fall")
     peak_deg: float = Field(description="largest rotation")
     tips_at_deg: float = Field(description="rotation from which it falls, to that side")
@@ -75,9 +77,6 @@ class ShakenInSpace(Surrounded):
 
     outcome: Literal["standing", "left", "right", "front", "back"] = Field(
         description="whether it falls, and to which side of the room, within 45°"
-    )
-    held_up: bool = Field(
-        False, description="it did not fall, and would without its wall and strap"
     )
     moving: bool = Field(description="it had neither fallen nor come to rest at the end")
     time_s: float | None = Field(description="of the fall")
@@ -124,7 +123,10 @@ class Shares(BaseModel):
     recordings: int = Field(description="independent ones, of which the interval is")
     falls: int
     moving: int = Field(description="that had neither fallen nor come to rest at their end")
-    leaning: int = Field(0, description="that ended upright, turned by more than 0.001 rad")
+    held_up: int = Field(
+        0,
+        description="that did not fall, and would without wall and strap; the share has them, too",
+    )
     strap_90: float | None = Field(
         None, description="force of its strap over its weight that 90 of 100 do not exceed"
     )

@@ -19,7 +19,7 @@ from shaketable.inventory import BaseShape, Item, solid_of
 from shaketable.models import General
 from shaketable.outcome import Outcome
 from shaketable.simulate import fell, simulate, simulate_many
-from shaketable.simulate.space_input import standing_limit
+from shaketable.simulate.standing import standing_limit
 from shaketable.solid import Solid
 from shaketable.solid_response import SolidResponse
 from shaketable.support import Support

@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 from scipy.special import ellipj, ellipkinc
 
 from shaketable import Body, General, Motion, Outcome, Solid, Support, simulate
-from shaketable.simulate.space_input import standing_limit
+from shaketable.simulate.standing import standing_limit
 from shaketable.units import STANDARD_GRAVITY
 from tests.support.solids import energy, quiet, released
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from shaketable import Edge, General, Solid, Surroundings
+from shaketable.models.solid_input import shapes_of
 from shaketable.physics.space.contacts import axes_at
 from shaketable.physics.space.edge import crossing, line_plane, note_past, side_count, stand_at_edge
 from shaketable.physics.space.touches import (
@@ -20,7 +21,6 @@ from shaketable.physics.space.touches import (
 )
 from shaketable.physics.space.vectors import ZERO, on_support
 from shaketable.physics.space.workspace import Q, V, W
-from shaketable.simulate.space_input import shapes_of
 
 SOLIDS = {"box": Solid.box(0.4, 0.5, 0.6), "cylinder": Solid.cylinder(0.5, 0.6)}
 STEP = 1e-4  # s: second differences are then right to some 1e-6 of what they are

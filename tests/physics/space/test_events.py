@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from shaketable import General, Solid
+from shaketable.models.solid_input import shapes_of
 from shaketable.physics.space.events import write_between, write_polynomial
 from shaketable.physics.space.rates import rates
 from shaketable.physics.space.step import Pull, pull_at, take_step
 from shaketable.physics.space.vectors import Vec
 from shaketable.physics.space.workspace import STATE, Q, V, W
-from shaketable.simulate.space_input import shapes_of
 
 
 @pytest.mark.slow  # it compiles the steps for Python

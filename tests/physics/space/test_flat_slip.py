@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from shaketable import General, Solid
+from shaketable.models.solid_input import shapes_of
 from shaketable.physics.space.constraints import react
 from shaketable.physics.space.contacts import axes_at
 from shaketable.physics.space.flat_slip import (
@@ -29,7 +30,6 @@ from shaketable.physics.space.workspace import (
     V,
     W,
 )
-from shaketable.simulate.space_input import shapes_of
 
 ANGLES = 2 * math.pi * np.arange(5) / 5
 PRISM = Solid.polygon(0.2 * np.column_stack([np.cos(ANGLES), np.sin(ANGLES)]), 0.8)

@@ -22,10 +22,10 @@ from shaketable import (
 )
 from shaketable import simulate_many as many
 from shaketable.engine.endings import Ending
+from shaketable.models.solid_input import ground_of, shapes_of
 from shaketable.physics.space.drive import move_solid
-from shaketable.physics.space.run import RunSummary, SolidTrace
-from shaketable.physics.space.workspace import STATE, WORKSPACE
-from shaketable.simulate.space_input import ground_of, shapes_of
+from shaketable.physics.space.run import RunSummary, make_trace
+from shaketable.physics.space.workspace import WORKSPACE
 from tests.support import random_solids
 
 MODEL = General(static_friction=0.6)
@@ -159,7 +159,7 @@ def test_a_run_has_a_budget_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     push = np.full(200, 6.0)
     motion = Motion(push, 0.01, transverse=0.3 * push)
     shapes, workspaces = shapes_of(Solid.box(0.4, 0.4, 1.0), General(static_friction=0.7))
-    nothing = engine.SolidTrace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
+    nothing = engine.make_trace(0)
     found = np.empty(len(engine.RunSummary._fields))
     shape, work = shapes[0], workspaces[0]
     engine.place(shape, work, 0.0)
@@ -183,7 +183,7 @@ def spoil(numbers: NDArray[Any]) -> None:
 
 def test_a_run_does_not_see_what_lay_in_its_room() -> None:
     """A device's memory holds anything; each number of a room is written before it is read."""
-    nothing = SolidTrace(np.empty((0, STATE)), *np.empty((2, 0), np.int8))
+    nothing = make_trace(0)
     compared = 0
     for seed in range(40):
         shaken = random_solids.case(seed, castors=seed % 2 == 1)

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from shaketable.simulate.space_input import TOLERANCE
+from shaketable.models.solid_input import TOLERANCE
 from tests.support.solid_order import TOLERANCES, cases, ended, errors
 
 

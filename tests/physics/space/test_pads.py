@@ -8,14 +8,12 @@ import numpy as np
 import pytest
 
 from shaketable import (
-    Body,
     General,
     InputError,
     Motion,
     Outcome,
     Pad,
     Solid,
-    Support,
     Surroundings,
     simulate,
     simulate_many,
@@ -77,25 +75,6 @@ def test_glue_adds_to_friction() -> None:
     """μ (1 + 4 s) where that is below what rocks it."""
     found = onset(BOX, pads(0.1), 0.4, General(static_friction=0.1))
     assert found == pytest.approx(0.14, abs=4e-4)
-
-
-@pytest.mark.parametrize("tilt", [0.0, 0.03, -0.02])
-def test_it_does_what_the_planar_body_does(tilt: float, p695: list[Motion]) -> None:
-    """Deep across the shaking it is one, whose feet are two of its own each."""
-    body = Body.rectangle(0.32, 1.8, mass=MASS)
-    solid = Solid.box(0.32, 3.0, 1.8, mass=MASS)
-    model = General(static_friction=0.6)
-    for motion in p695[:4]:
-        strong = motion.scaled(1.3)
-        plane = simulate(body, strong, Support(tilt=tilt), model=model, surroundings=pads(0.03))
-        space = simulate(solid, strong, Support(tilt=tilt), model=model, surroundings=pads(0.015))
-        alone = simulate(solid, strong, Support(tilt=tilt), model=model)
-        assert space.outcome is plane.outcome
-        if plane.outcome is Outcome.STANDING:
-            assert space.peak_rotation == pytest.approx(plane.peak_rotation, abs=1e-4)
-        else:
-            assert space.overturning_time == pytest.approx(plane.overturning_time, abs=1e-3)
-        assert space.peak_rotation != alone.peak_rotation or alone.outcome is space.outcome
 
 
 def test_what_stays_glued_does_not_move() -> None:

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from shaketable import General, Solid, Surroundings, Wall
+from shaketable.models.solid_input import shapes_of
 from shaketable.physics.space.run import cannot_fall, place
 from shaketable.physics.space.settling import creep
 from shaketable.physics.space.step import Pull
@@ -16,7 +17,6 @@ from shaketable.physics.space.touches import gather_touches
 from shaketable.physics.space.vectors import Vec
 from shaketable.physics.space.walls import stand_at_walls
 from shaketable.physics.space.workspace import P, V, W
-from shaketable.simulate.space_input import shapes_of
 from shaketable.units import STANDARD_GRAVITY as G
 
 BOX = Solid.box(0.4, 0.7, 1.1)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from shaketable import General, Solid
+from shaketable.models.solid_input import shapes_of
 from shaketable.physics.space.constraints import react
 from shaketable.physics.space.contacts import axes_at, find_rim
 from shaketable.physics.space.modes import arrange
@@ -24,7 +25,6 @@ from shaketable.physics.space.workspace import (
     W,
     vec,
 )
-from shaketable.simulate.space_input import shapes_of
 
 ANGLES = 2 * math.pi * np.arange(5) / 5
 SOLIDS = {

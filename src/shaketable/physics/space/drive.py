@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from shaketable.compiled import driver
+from shaketable.physics.space.in_plane import IN_PLANE
 from shaketable.physics.space.landing import EDGE
 from shaketable.physics.space.run import (
     SUMMARY,
@@ -38,12 +39,14 @@ def move_solid(
             support, rather than at rest on its base.
         trace: array for the history of the last run; may have no samples.
         found: array for the numbers of a RunSummary of each run, (n, ...), and after these, where
-            it has surroundings, whether they alone hold it up, then those of straps and an edge.
+            it has surroundings, whether they alone hold it up, then those of straps, an edge and a
+            body in the plane.
     """
     shape, work = shapes[0], workspaces[0]
-    untraced = SolidTrace(np.empty((0, STATE)), trace.rank[:0], trace.hold[:0])
+    nothing = trace.impact_times[:0]
+    untraced = SolidTrace(np.empty((0, STATE)), trace.rank[:0], trace.hold[:0], nothing)
     still = GroundAcceleration(np.zeros((1, 3)), ground.time_step)
-    released = np.zeros(SUMMARY + 1 + EDGE)
+    released = np.zeros(SUMMARY + 1 + EDGE + IN_PLANE)
     for k in range(stands.shape[0]):
         row = stands[k]
         stand = RunSetup(row[0], row[1], row[2], row[3], row[4])

@@ -438,11 +438,23 @@ def stand_at_edge(shape: SolidParameters, work: Workspace) -> None:
 
 
 @routine
-def push_off_line(shape: SolidParameters, work: Workspace) -> None:
-    """Shift a state in which the line has entered the body until it has not."""
+def push_off_line(shape: SolidParameters, work: Workspace, h: float) -> None:
+    """Shift a state in which the line has entered the body until it has not.
+
+    It has entered through the side that is nearest, and no deeper than the body moves in the step:
+    others it lies behind.
+
+    Args:
+        h: how long that took [s].
+    """
     y = work.state
+    v, spin = vec(y, V), vec(y, W)
+    moves = math.sqrt(dot(v, v)) + shape.size * math.sqrt(dot(spin, spin))
+    q, nearest, out = axes_at(y), -DEEP - 2.0 * h * moves, ZERO
+    entered = False
     for side in range(side_count(shape) if near_line(shape, y) else 0):
-        q = axes_at(y)
         found = crossing(shape, work, q, y, side)
-        if found.gap < 0.0 and work.behind[BEHIND_SIDES + side] == 0:
-            put(y, P, add(vec(y, P), times(-found.gap, on_support(q, found.normal))))
+        if nearest < found.gap < 0.0 and work.behind[BEHIND_SIDES + side] == 0:
+            nearest, out, entered = found.gap, found.normal, True
+    if entered:
+        put(y, P, add(vec(y, P), times(-nearest, on_support(q, out))))

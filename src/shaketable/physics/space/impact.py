@@ -19,10 +19,21 @@ from shaketable.physics.space.closing import (
 )
 from shaketable.physics.space.complementarity import balance, summed
 from shaketable.physics.space.constraints import arrest
-from shaketable.physics.space.contacts import axes_at, velocity
+from shaketable.physics.space.contacts import arm, axes_at, velocity
 from shaketable.physics.space.modes import arrange
 from shaketable.physics.space.rates import judge_side, limit, write_side
-from shaketable.physics.space.vectors import ZERO, Axes, add, applied, dot
+from shaketable.physics.space.vectors import (
+    ZERO,
+    Axes,
+    add,
+    applied,
+    cross,
+    dot,
+    on_body,
+    on_support,
+    subtract,
+    times,
+)
 from shaketable.physics.space.workspace import (
     CORNER,
     EDGE,
@@ -40,7 +51,6 @@ from shaketable.physics.space.workspace import (
 ROUND_OFF = 1e-12  # of the largest speed
 ENERGY_SLACK = 1e-12  # of the energy
 HALVINGS = 40
-SLIPS, STAYS, BOUNCES = range(3)  # what the points of an impact do
 
 
 @kernel
@@ -121,11 +131,8 @@ def strikes(
     before: Floats,
     restitution: float,
     slack: float,
-) -> int:
-    """Try an impact at the closed points alone, all of which stick; the state is left struck.
-
-    Returns: STAYS or BOUNCES; 0 where it is no such impact.
-    """
+) -> bool:
+    """Whether the closed points alone are struck, and all stick; the state is left struck."""
     y = work.state
     approaching, bouncing = False, 0
     for place in range(work.mode.closed):
@@ -133,31 +140,28 @@ def strikes(
         approaching = approaching or speed < -slack
         bouncing += speed < -shape.limits.bounce
     if not approaching:
-        return 0
+        return False
     keep = restitution if bouncing == work.mode.closed else 0.0
     if restitution > 0.0 and 0 < bouncing < work.mode.closed:
-        return 0
+        return False
     for j in range(STATE):
         y[j] = before[j]
     arrange(shape, work, STICKS, 0)
     if not arrest(shape, work, q, y, keep) or not impulses_hold(shape, work, q):
-        return 0
+        return False
     for k in range(work.mode.near):
         point = work.near[k]
         if is_closed(work, point):
             continue
         least = goal_of(shape, velocity(shape, work, q, before, point).z, restitution)
         if velocity(shape, work, q, y, point).z < least - slack:
-            return 0
-    return BOUNCES if keep > 0.0 else STAYS
+            return False
+    return True
 
 
 @routine
-def strike(shape: SolidParameters, work: Workspace, before: Floats, restitution: float) -> int:
-    """Change the state's velocities by the impact of all points on the support.
-
-    Returns: SLIPS, STAYS or BOUNCES, what its points do.
-    """
+def strike(shape: SolidParameters, work: Workspace, before: Floats, restitution: float) -> None:
+    """Change the state's velocities by the impact of all points on the support."""
     q = axes_at(before)
     fastest = 0.0
     for k in range(work.mode.near):
@@ -165,30 +169,25 @@ def strike(shape: SolidParameters, work: Workspace, before: Floats, restitution:
         fastest = max(fastest, abs(u.x), abs(u.y), abs(u.z))
     slack = ROUND_OFF * fastest
     close_all(work)
-    how = strikes(shape, work, q, before, restitution, slack)
-    if how:
-        return how
+    if strikes(shape, work, q, before, restitution, slack):
+        return
     if work.mode.near > 2:
         for k in range(shape.hull):
-            if close_side(shape, work, k):
-                how = strikes(shape, work, q, before, restitution, slack)
-                if how:
-                    return how
+            side = close_side(shape, work, k)
+            if side and strikes(shape, work, q, before, restitution, slack):
+                return
     if work.mode.near > 2 and rim_is_near(shape, work):
         for k in range(work.mode.near - 1):
             close_with_rim(shape, work, k)
-            how = strikes(shape, work, q, before, restitution, slack)
-            if how:
-                return how
+            if strikes(shape, work, q, before, restitution, slack):
+                return
     if work.mode.near > 1:
         for k in range(work.mode.near):
             work.closed[0] = work.near[k]
             work.mode.closed = 1
-            how = strikes(shape, work, q, before, restitution, slack)
-            if how:
-                return how
+            if strikes(shape, work, q, before, restitution, slack):
+                return
     strike_together(shape, work, q, before, restitution)
-    return SLIPS
 
 
 @routine
@@ -212,15 +211,40 @@ def strike_together(
 
 
 @routine
+def lose_spin(shape: SolidParameters, work: Workspace) -> None:
+    """Multiply the spin that a rocking impact leaves by the restitution factor.
+
+    Where some of the points on the support stay there and others leave: the middle of those that
+    stay keeps its velocity u, and that of the centre of gravity follows. Where it slips, less spin
+    would add energy below the share s = u·(ω × r)/(|ω × r|² + ω·I ω) of it: the factor is then
+    raised to 2 s - 1, as in the plane (`plane.impact.lossy`).
+    """
+    if shape.factor == 1.0:
+        return
+    q, y, stay, middle = axes_at(work.state), work.state, 0, ZERO
+    for k in range(work.mode.near):
+        if velocity(shape, work, q, y, work.near[k]).z <= shape.limits.leaving:
+            middle, stay = add(middle, arm(shape, work, work.near[k])), stay + 1
+    if stay == 0 or stay == work.mode.near:
+        return
+    spin, r = vec(y, W), times(1.0 / stay, middle)
+    turning = cross(spin, r)
+    u = add(on_body(q, vec(y, V)), turning)
+    size = dot(turning, turning) + dot(spin, applied(shape.inertia, spin))
+    if size == 0.0:
+        return
+    factor = min(1.0, max(shape.factor, 2.0 * dot(u, turning) / size - 1.0))
+    put(y, W, times(factor, spin))
+    put(y, V, on_support(q, subtract(u, times(factor, turning))))
+
+
+@routine
 def collide(shape: SolidParameters, work: Workspace) -> None:
     """The impact of the points on the support, with the restitution that its energy allows."""
     before = work.trial
     for j in range(STATE):
         before[j] = work.state[j]
-    how = strike(shape, work, before, shape.restitution)
-    if how == STAYS and shape.factor < 1.0:  # the velocities that are left keep the contact
-        for j in range(V, STATE):
-            work.state[j] *= shape.factor
+    strike(shape, work, before, shape.restitution)
     if shape.restitution == 0.0:
         return
     allowed = kinetic_energy(shape, before) * (1.0 + ENERGY_SLACK)

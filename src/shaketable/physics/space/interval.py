@@ -46,7 +46,8 @@ from shaketable.physics.space.guards import (
     peak_between,
     slips_at,
 )
-from shaketable.physics.space.impact import collide, kinetic_energy
+from shaketable.physics.space.impact import collide, kinetic_energy, lose_spin
+from shaketable.physics.space.in_plane import keep_in_plane, note_slips_in_plane
 from shaketable.physics.space.modes import lay_ring
 from shaketable.physics.space.rates import rates
 from shaketable.physics.space.rest import NEVER, rest_margin, rest_until, rests_throughout
@@ -83,6 +84,7 @@ from shaketable.physics.space.workspace import (
     STATE,
     STICKS,
     WALLED,
+    Floats,
     P,
     Q,
     SolidParameters,
@@ -166,6 +168,9 @@ def accept(shape: SolidParameters, work: Workspace, h: float) -> None:
         if shape.radius > 0.0:
             note_rolling_past(shape, work)
         note_tipping(shape, work)
+    if shape.planar:
+        keep_in_plane(work.state)
+        note_slips_in_plane(shape, work)
     x = work.state[P] - shape.h * q.x.z - tally.start_x
     y = work.state[P + 1] - shape.h * q.y.z - tally.start_y
     tally.farthest = max(tally.farthest, x * x + y * y)
@@ -196,7 +201,9 @@ def collect_contacts(shape: SolidParameters, work: Workspace, leaving: float) ->
 
 
 @routine
-def land(shape: SolidParameters, work: Workspace, f, kind: int) -> None:  # type: ignore[no-untyped-def]
+def land(  # type: ignore[no-untyped-def]
+    shape: SolidParameters, work: Workspace, f, kind: int, impact_times: Floats
+) -> None:
     """Resolve a landing, or what meets a wall (`kind` of guard), and choose the next mode."""
     if lies_on_rim(shape) and kind == GAP:
         q = axes_at(work.state)
@@ -210,12 +217,19 @@ def land(shape: SolidParameters, work: Workspace, f, kind: int) -> None:  # type
             lay_flat(shape, work)
             work.mode.kind = FLAT
     collect_contacts(shape, work, math.inf)
+    number = int(work.tally.impacts)
+    if number < impact_times.size:
+        impact_times[number] = work.clock.begun + work.clock.passed
     work.tally.impacts += 1.0
     beside = touches_more(shape)
     if beside and gather_touches(shape, work, shape.limits.landing, math.inf, 0.0) > 0:
+        work.tally.met = 1.0
         collide_touches(shape, work)
     else:
         collide(shape, work)
+    lose_spin(shape, work)
+    if shape.planar:
+        keep_in_plane(work.state)
     pull_or_not(shape, work)
     if all_but_flat(shape, work, 0.0):
         if lies_on_rim(shape):
@@ -281,18 +295,21 @@ def note_tipping(shape: SolidParameters, work: Workspace) -> None:
 
 
 @routine
-def respond(shape: SolidParameters, work: Workspace, f, kind: int) -> bool:  # type: ignore[no-untyped-def]
+def respond(  # type: ignore[no-untyped-def]
+    shape: SolidParameters, work: Workspace, f, kind: int, impact_times: Floats
+) -> bool:
     """Choose the contact mode after an event; return True if none is admissible."""
     before = work.judged.past
     work.judged.past = FORCE_PAST
     if kind in (GAP, WALL):
-        land(shape, work, f, kind)
+        land(shape, work, f, kind, impact_times)
         return False
     if kind == PASS:
+        work.tally.met = 1.0
         note_past(shape, work, False)
         look_behind(shape, work)  # sides that can be met now
     if kind == PASS and meets(shape, work):
-        land(shape, work, f, WALL)
+        land(shape, work, f, WALL, impact_times)
         return False
     pull_or_not(shape, work)
     if kind == PASS:
@@ -397,12 +414,13 @@ def gather_closed(shape: SolidParameters, work: Workspace) -> None:
 
 @routine
 def cross_interval(
-    shape: SolidParameters, work: Workspace, pull: Pull, first: float
+    shape: SolidParameters, work: Workspace, pull: Pull, first: float, impact_times: Floats
 ) -> tuple[int, float, float]:
     """Take a solid through an interval.
 
     Args:
         first: part of the interval that its first step tries.
+        impact_times: where those of impacts are written [s], as many as fit.
 
     Returns: how it ended (GOES_ON or FELL), the part that has passed, and the part that
         the next interval's first step may try.
@@ -466,7 +484,8 @@ def cross_interval(
             if kind == LANDING:
                 return LANDED, u, part
             stood = bears(shape, work)
-            jams = respond(shape, work, pull_at(pull, min(u, 1.0)), kind)
+            f = pull_at(pull, min(u, 1.0))
+            jams = respond(shape, work, f, kind, impact_times)
             if stood and not bears(shape, work):
                 work.tally.left_at = work.clock.begun + work.clock.passed
             work.tally.events += 1.0
@@ -479,7 +498,7 @@ def cross_interval(
         part = max(part if du < part else 0.0, next_part(du, error))  # a step may be cut short
         u = 1.0 if 1.0 - u - du < LEAST_PART else u + du
         if wobbles_out(shape, work):
-            land(shape, work, pull_at(pull, u), GAP)
+            land(shape, work, pull_at(pull, u), GAP, impact_times)
             work.tally.events += 1.0
             fresh, part = True, max(part, 1e-3)
             continue

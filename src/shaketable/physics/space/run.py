@@ -19,7 +19,9 @@ from shaketable.physics.space.edge import (
 )
 from shaketable.physics.space.guards import FORCE_PAST, GAP, peak_between
 from shaketable.physics.space.impact import kinetic_energy
+from shaketable.physics.space.in_plane import write_in_plane
 from shaketable.physics.space.interval import bears, copy, cross_interval, land, twist
+from shaketable.physics.space.landing import EDGE as TOLD_OF_EDGE
 from shaketable.physics.space.landing import LANDING_TIME, LEFT_AT, write_edge
 from shaketable.physics.space.pads import NEVER, glued_until
 from shaketable.physics.space.rest import rest_margin
@@ -133,6 +135,13 @@ class SolidTrace(NamedTuple):
     state: Floats  # (n, STATE)
     rank: np.ndarray  # (n,) int8
     hold: np.ndarray  # (n,) int8
+    impact_times: Floats  # s; as many as fit
+
+
+def make_trace(samples: int, impacts: int = 0) -> SolidTrace:
+    """An empty trace with room for so many samples and times of impacts."""
+    rank, hold = np.zeros((2, samples), np.int8)
+    return SolidTrace(np.full((samples, STATE), np.nan), rank, hold, np.full(impacts, np.nan))
 
 
 class Tilted(NamedTuple):
@@ -179,11 +188,13 @@ def place(shape: SolidParameters, work: Workspace, orientation: float) -> None:
 
 
 @routine
-def begin(shape: SolidParameters, work: Workspace, f: Vec) -> None:
+def begin(shape: SolidParameters, work: Workspace, f: Vec, impact_times: Floats) -> None:
     """Find what a solid does from its state on, which may be any above the support."""
     tally = work.tally
     tally.lift = tally.events = tally.steps = 0.0
     tally.energy_cuts = tally.fallbacks = tally.farthest = tally.left_at = tally.tips = 0.0
+    tally.slip_back = tally.slip_front = 0.0
+    tally.met = 1.0 if shape.glue > 0.0 else 0.0
     tally.yaw = twist(work.state)
     tally.peak = peak_between(work.state, work.state, 0.0)
     foot = foot_of(shape, work)
@@ -202,7 +213,7 @@ def begin(shape: SolidParameters, work: Workspace, f: Vec) -> None:
         stand_at_edge(shape, work)
         note_past(shape, work, True)
         look_behind(shape, work)
-    land(shape, work, f, GAP)
+    land(shape, work, f, GAP, impact_times)
     work.tally.impacts = 0.0
 
 
@@ -309,7 +320,7 @@ def run(
     origin = foot_of(shape, work)
     if touches_more(shape):
         stand_at_walls(shape, work, frame.axis, frame.sine, frame.cosine)
-    begin(shape, work, before)
+    begin(shape, work, before, trace.impact_times)
     start_yaw = work.tally.yaw
     ending, h, start, first = STILL_MOVING, ground.time_step, 0.0, 1.0
     glued, span = shape.glue > 0.0, ground.time_step
@@ -373,7 +384,7 @@ def run(
             start, span = start + part * h, (1.0 - part) * h
             work.clock.begun = start
             pull = Pull(pull_at(pull, part), times(1.0 - part, pull.change), span)
-        how, passed, first = cross_interval(shape, work, pull, first)
+        how, passed, first = cross_interval(shape, work, pull, first, trace.impact_times)
         if how != GOES_ON:
             ending = OVERTURNED
             record(shape, trace, sample, work)
@@ -386,8 +397,10 @@ def run(
     now = start + passed * span
     write_found(shape, work, OVERTURNED if gone else ending, now, sample, found)
     write_straps(shape, work, found)
+    columns = SUMMARY + 1 + 2 * shape.straps
+    if shape.planar:
+        write_in_plane(shape, work, found, columns + (TOLD_OF_EDGE if has_edge(shape) else 0))
     if has_edge(shape):
-        columns = SUMMARY + 1 + 2 * shape.straps
         write_edge(shape, work, gone, landed, now, found, columns)
         if gone:  # it fell to the side of the edge, when it came down
             found[1] = found[columns + (LANDING_TIME if landed else LEFT_AT)]

@@ -40,6 +40,7 @@ from shaketable.physics.space.edge import (
     support_gap,
 )
 from shaketable.physics.space.impact import strike
+from shaketable.physics.space.in_plane import keep_in_plane
 from shaketable.physics.space.modes import arrange
 from shaketable.physics.space.rest import stand_all
 from shaketable.physics.space.step import Pull, pull_at
@@ -230,17 +231,20 @@ def creep(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> int:
             strike_touches(shape, work, 0.0, h)
         elif n > 0:
             strike(shape, work, work.trial, 0.0)
+        if shape.planar:
+            keep_in_plane(y)
         drift_state(y, h)
         if shape.walls > 0:
             push_out(shape, work)
         if has_edge(shape):
-            push_off_line(shape, work)
+            push_off_line(shape, work, h)
             note_past(shape, work, True)
             look_behind(shape, work)
         if is_off(shape, y):
             if lowest_of_body(shape, work, y)[0] < -shape.drop:
                 return LANDED
         elif axes_at(y).z.z <= 0.0:
+            stand_clear(shape, work)
             return FELL
     pull_or_not(shape, work)
     settle_creep(shape, work, pull_at(pull, 1.0))
@@ -248,10 +252,16 @@ def creep(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> int:
 
 
 @routine
+def stand_clear(shape: SolidParameters, work: Workspace) -> None:
+    """Lift what time stepping has left below the support."""
+    y = work.state
+    y[P + 2] -= min(0.0, clearance(shape, work, axes_at(y), y))
+
+
+@routine
 def settle_creep(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     """Go over from time stepping to a mode again: nothing below the support, and forces decide."""
-    q, y = axes_at(work.state), work.state
-    y[P + 2] -= min(0.0, clearance(shape, work, q, y))
+    stand_clear(shape, work)
     if all_but_flat(shape, work, shape.limits.hovering):
         lay_flat(shape, work)
         choose(shape, work, f)

@@ -157,6 +157,9 @@ class Tally:
     farthest: float  # square of how far from there it comes [m²]
     left_at: float  # when it last touched its support or the edge of that [s]
     tips: float  # how far its axis has turned toward the edge, turn by turn [rad]
+    met: float  # 1 once it has met a wall, the edge, or what holds it
+    slip_back: float  # of a body in the plane, the farthest of its corners toward -x [m]
+    slip_front: float  # and toward +x
 
 
 class Thresholds(NamedTuple):
@@ -189,7 +192,7 @@ class SolidParameters(NamedTuple):
     inertia: Sym  # per unit mass about the centre of gravity [m²]
     mobility: Sym  # its inverse
     restitution: float  # e_n
-    factor: float  # on the velocities that an impact leaves at a contact that stays and sticks
+    factor: float  # on the spin that a rocking impact leaves
     limits: Thresholds
     # errors of a step that are just accepted [m, rad, m/s, rad/s], times 1 + the size of what they
     # are errors of
@@ -201,6 +204,7 @@ class SolidParameters(NamedTuple):
     reach: float  # and from the farthest point [m]
     least_static: float  # the least μ_s of the points
     inner: float  # distance of the inner ring's points, in parts of the outer's
+    planar: bool  # it moves in the plane of x and z alone, and tells its slip there (`in_plane`)
     uniform: bool  # all points have the same friction
     rise: float  # of a rim on high points, of its circle over the plane of these [m]; 0 without
     straps: int  # how many
@@ -370,6 +374,7 @@ _TYPES: dict[str, DTypeLike] = {
     "mobility": [(name, np.float64) for name in Sym._fields],
     "limits": [(name, np.float64) for name in Thresholds._fields],
     "uniform": np.bool_,
+    "planar": np.bool_,
     "straps": np.int64,
     "walls": np.int64,
     "outline": np.int64,

@@ -139,7 +139,7 @@ def of_inventory(rates: ObjectRates, years: float) -> list[str]:
         sentences.append(
             tell(
                 "In the plane of each direction walls, straps, pads and edges of the list are "
-                "simulated where they act in it; what ends leaning on them has not fallen: "
+                "simulated where they act in it; what they alone hold up has not fallen: "
                 "{names}.",
                 names=named(list(dict.fromkeys(held)), MOST_NAMED),
             )

@@ -174,7 +174,7 @@ function sound(id) {
 
 function showVerdict(film, reverse) {
   const single = () => (film.components === 1 ? ` ${say("one_component")}` : "");
-  const stands = film.moving || film.leaning || film.held_up ? "" : "stands";
+  const stands = film.moving || film.held_up ? "" : "stands";
   const kind = film.outcome === "standing" ? stands : "falls";
   write("verdict", () => sentence(film, metres) + single(), kind);
   write("by", () => say(reverse ? "by_reversed" : "by", { name: nameOf(film.ground.name) }));

@@ -21,12 +21,11 @@ export async function* many(thing, scale, options) {
 export function shareOf(found) {
   const values = {
     falls: number(found.falls, 4), simulations: number(found.simulations, 4), share: found.in_100.share,
-    moving: number(found.moving, 4), leaning: number(found.leaning ?? 0, 4), held_up: number(found.held_up ?? 0, 4), force: number(found.strap_90 ?? 0),
+    moving: number(found.moving, 4), held_up: number(found.held_up ?? 0, 4), force: number(found.strap_90 ?? 0),
   };
   const falls = found.falls ? "share" : "share_none";
   const said = [say(found.held_up ? "share_held_up" : falls, values)];
   if (found.moving) said.push(say("still_moving", values));
-  if (found.leaning) said.push(say("share_leaning", values));
   if (found.strap_90 !== null) said.push(say("strap_bears", values));
   return said.join(" ");
 }

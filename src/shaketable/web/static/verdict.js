@@ -11,7 +11,6 @@ export function sentence(film, length) {
   const said = [film.moving ? say("moving") : how(film, length)];
   if (film.lift_m > MOVES && !film.off_edge) said.push(say("jumps", { lift: length(film.lift_m) }));
   if (film.off_edge) said.push(say("off_edge"));
-  if (film.leaning) said.push(say("ends_leaning"));
   if (film.held_up) said.push(say("ends_held_up"));
   if (film.strap_peak !== null) said.push(say("strap_bore", { force: number(film.strap_peak) }));
   return said.join(" ");

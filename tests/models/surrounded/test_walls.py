@@ -62,7 +62,7 @@ def test_it_slides_into_its_wall_and_back() -> None:
     assert found.end.slip == pytest.approx(0.170817, abs=1e-6)
     assert found.end.peak < 1e-12
     assert found.end.impacts == 1
-    assert found.end.leaning == 0
+    assert not found.end.held_up
 
 
 @pytest.mark.parametrize(("share", "leans"), [(0.9, False), (1.1, True)])
@@ -73,7 +73,7 @@ def test_it_leans_where_friction_holds_its_foot(share: float, leans: bool) -> No
         BOOKCASE, Motion(QUIET, 0.01), model=General(static_friction=share * 0.055690),
         initial_rotation=rotation, surroundings=wall(0.5, 0.0),
     )  # fmt: skip
-    assert found.leaning == leans
+    assert found.held_up == leans
     assert (found.outcome == 0) == leans
     if leans:
         assert found.rotation[-1] == pytest.approx(rotation, abs=1e-9)
@@ -138,7 +138,7 @@ def test_a_wall_out_of_reach_changes_no_bit() -> None:
         far = simulate(BOOKCASE, motion, model=model, surroundings=wall(3.0))
         assert np.array_equal(free.rotation, far.rotation)
         assert np.array_equal(free.impact_times, far.impact_times)
-        assert far.leaning is False
+        assert far.held_up is False
         assert far.displacement_x == free.displacement_x
 
 
@@ -174,7 +174,7 @@ def test_what_swings_in_a_strap_does_not_lean() -> None:
     run = simulate(body, Motion(QUIET, 0.01), model=General(static_friction=1.0),
                    initial_rotation=-0.1, surroundings=Surroundings(straps=(strap,)))  # fmt: skip
     assert not run.settled
-    assert not run.leaning
+    assert not run.held_up
 
 
 def test_what_cannot_stand_so_is_told() -> None:

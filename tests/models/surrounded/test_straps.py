@@ -189,7 +189,7 @@ def test_a_strap_may_hold_what_leans() -> None:
         )  # fmt: skip
         assert run.outcome == 0
         assert run.settled
-        assert run.leaning
+        assert run.held_up
         assert side * run.rotation[-1] > math.atan2(0.16, 0.9)
         # the moment of its weight about the corner that it stands on is that of its strap
         theta, corner = side * run.rotation[-1], run.position[-1]
