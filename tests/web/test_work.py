@@ -114,7 +114,7 @@ def test_what_stands_beside_it_is_simulated() -> None:
 def test_what_cannot_slide_may_stand_beside_a_wall() -> None:
     thing = Thing(base_m=0.32, height_m=1.8, beside=Beside(wall_gap_mm=10))
     found = work.shake(Shake(thing=thing, shaking=Recording(name="NORTHR/MUL009")))
-    assert found.slip_m < 1e-9
+    assert found.outcome == "standing"
     alone = Thing(base_m=0.32, height_m=1.8)
     assert work.shake(Shake(thing=alone, shaking=Recording(name="NORTHR/MUL009"))) != found
 
@@ -151,8 +151,7 @@ def test_many_shakings_of_what_is_strapped() -> None:
     alone = work.many(Many(thing=SHELF, suite="fema-p695-far-field", curve=False))
     found = work.many(Many(thing=thing, suite="fema-p695-far-field"))
     assert found.falls == 0 < alone.falls
-    assert found.leaning > 0
-    assert alone.leaning == 0
+    assert found.held_up == alone.held_up == 0  # its base stays: let go of, it would right itself
     assert alone.strap_90 is None
     assert found.strap_90 is not None
     assert 0.5 < found.strap_90 < 4.0  # as the study of surroundings finds

@@ -22,14 +22,14 @@ class Ending(IntEnum):
 #: What to tell the user about the others, after "the body" or "3 of 100 simulations".
 SENTENCES = {
     Ending.STILL_ROCKING: "still rocked or flew an hour, or a million steps or impacts, after the "
-    "motion's end (among walls, straps and edges a minute without the energy to overturn, ten "
+    "motion's end (among walls, straps and edges ten seconds without the energy to overturn, ten "
     "minutes, or 100,000 steps) and counts as standing: balanced on an edge, thrown up, swinging "
     "in a strap, or losing hardly any energy at an impact",
     Ending.STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it, or an "
     "hour or a million steps later: there is no kinetic friction, or too little for the tilt; slip "
     "counts until then. Give more kinetic friction or less tilt to see it stop",
     Ending.UNRESOLVED: "met a million contacts and losses of contact within one sample, or among "
-    "surroundings took a million steps and ten a sample during the motion, and was given up there: "
+    "surroundings took 200,000 steps and ten a sample during the motion, and was given up there: "
     "please report body, motion, support and surroundings",
 }
 STANDING, OVERTURNED, STILL_ROCKING, STILL_SLIDING, UNRESOLVED = (int(e) for e in Ending)

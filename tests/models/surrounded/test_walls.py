@@ -163,7 +163,7 @@ def test_what_is_given_up_in_mid_motion_is_not_resolved() -> None:
     motion = Motion(5.0 * np.sin(2.2 * math.pi * t) * np.sin(math.pi * t / 40.0), 0.01)
     strap = Strap(point=(0.05, 0.4), anchor=(0.1, 0.4), stiffness=1e6, damping=1e6)
     body = Body.rectangle(0.1, 0.4, mass=2.0)
-    with pytest.raises(SimulationError, match="a million steps and ten a sample"):
+    with pytest.raises(SimulationError, match="200,000 steps and ten a sample"):
         simulate(body, motion, model=General(static_friction=0.6),
                  surroundings=Surroundings(straps=(strap,)))  # fmt: skip
 
@@ -187,3 +187,14 @@ def test_what_cannot_stand_so_is_told() -> None:
         simulate(BOOKCASE, motion, model=General(), surroundings=wall(azimuth=1.0))
     with pytest.raises(InputError, match="must be above the centre of gravity"):
         Body(base=0.3, cg_height=0.6, left=0.1, gyration_radius=0.3, height=0.5)
+
+
+def test_where_nothing_slips_it_only_rocks_and_jumps() -> None:
+    """Without a bound on friction, beside a wall that strikes it off the support at times."""
+    t = 0.01 * np.arange(1200)
+    motion = Motion(4.5 * np.sin(2.2 * math.pi * t) * np.sin(math.pi * t / 12.0), 0.01)
+    run = simulate(BOOKCASE, motion, model=General(), surroundings=wall(0.01, 0.3, 0.3))
+    seen = {phase.name for phase in run.phases}
+    assert seen == {"REST", "ROCK_RIGHT", "ROCK_LEFT", "FLIGHT"}
+    assert run.max_lift > 0.0
+    assert run.impacts == run.impact_times.size > 50

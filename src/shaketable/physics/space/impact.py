@@ -51,6 +51,7 @@ from shaketable.physics.space.workspace import (
 ROUND_OFF = 1e-12  # of the largest speed
 ENERGY_SLACK = 1e-12  # of the energy
 HALVINGS = 40
+SLIPS, STAYS, BOUNCES = range(3)  # what the points of an impact do
 
 
 @kernel
@@ -131,8 +132,11 @@ def strikes(
     before: Floats,
     restitution: float,
     slack: float,
-) -> bool:
-    """Whether the closed points alone are struck, and all stick; the state is left struck."""
+) -> int:
+    """Try an impact at the closed points alone, all of which stick; the state is left struck.
+
+    Returns: STAYS or BOUNCES; 0 where it is no such impact.
+    """
     y = work.state
     approaching, bouncing = False, 0
     for place in range(work.mode.closed):
@@ -140,28 +144,31 @@ def strikes(
         approaching = approaching or speed < -slack
         bouncing += speed < -shape.limits.bounce
     if not approaching:
-        return False
+        return 0
     keep = restitution if bouncing == work.mode.closed else 0.0
     if restitution > 0.0 and 0 < bouncing < work.mode.closed:
-        return False
+        return 0
     for j in range(STATE):
         y[j] = before[j]
     arrange(shape, work, STICKS, 0)
     if not arrest(shape, work, q, y, keep) or not impulses_hold(shape, work, q):
-        return False
+        return 0
     for k in range(work.mode.near):
         point = work.near[k]
         if is_closed(work, point):
             continue
         least = goal_of(shape, velocity(shape, work, q, before, point).z, restitution)
         if velocity(shape, work, q, y, point).z < least - slack:
-            return False
-    return True
+            return 0
+    return BOUNCES if keep > 0.0 else STAYS
 
 
 @routine
-def strike(shape: SolidParameters, work: Workspace, before: Floats, restitution: float) -> None:
-    """Change the state's velocities by the impact of all points on the support."""
+def strike(shape: SolidParameters, work: Workspace, before: Floats, restitution: float) -> int:
+    """Change the state's velocities by the impact of all points on the support.
+
+    Returns: SLIPS, STAYS or BOUNCES, what its points do.
+    """
     q = axes_at(before)
     fastest = 0.0
     for k in range(work.mode.near):
@@ -169,25 +176,30 @@ def strike(shape: SolidParameters, work: Workspace, before: Floats, restitution:
         fastest = max(fastest, abs(u.x), abs(u.y), abs(u.z))
     slack = ROUND_OFF * fastest
     close_all(work)
-    if strikes(shape, work, q, before, restitution, slack):
-        return
+    how = strikes(shape, work, q, before, restitution, slack)
+    if how:
+        return how
     if work.mode.near > 2:
         for k in range(shape.hull):
-            side = close_side(shape, work, k)
-            if side and strikes(shape, work, q, before, restitution, slack):
-                return
+            if close_side(shape, work, k):
+                how = strikes(shape, work, q, before, restitution, slack)
+                if how:
+                    return how
     if work.mode.near > 2 and rim_is_near(shape, work):
         for k in range(work.mode.near - 1):
             close_with_rim(shape, work, k)
-            if strikes(shape, work, q, before, restitution, slack):
-                return
+            how = strikes(shape, work, q, before, restitution, slack)
+            if how:
+                return how
     if work.mode.near > 1:
         for k in range(work.mode.near):
             work.closed[0] = work.near[k]
             work.mode.closed = 1
-            if strikes(shape, work, q, before, restitution, slack):
-                return
+            how = strikes(shape, work, q, before, restitution, slack)
+            if how:
+                return how
     strike_together(shape, work, q, before, restitution)
+    return SLIPS
 
 
 @routine
@@ -212,12 +224,12 @@ def strike_together(
 
 @routine
 def lose_spin(shape: SolidParameters, work: Workspace) -> None:
-    """Multiply the spin that a rocking impact leaves by the restitution factor.
+    """Multiply the spin that a rocking impact in the plane leaves by the restitution factor.
 
-    Where some of the points on the support stay there and others leave: the middle of those that
-    stay keeps its velocity u, and that of the centre of gravity follows. Where it slips, less spin
-    would add energy below the share s = u·(ω × r)/(|ω × r|² + ω·I ω) of it: the factor is then
-    raised to 2 s - 1, as in the plane (`plane.impact.lossy`).
+    As `plane.impact.lossy`: where some of the points on the support stay there and others leave,
+    the middle of those that stay keeps its velocity u, and that of the centre of gravity follows.
+    Where it slips, less spin would add energy below the share s = u·(ω × r)/(|ω × r|² + ω·I ω) of
+    it: the factor is then raised to 2 s - 1.
     """
     if shape.factor == 1.0:
         return
@@ -244,7 +256,12 @@ def collide(shape: SolidParameters, work: Workspace) -> None:
     before = work.trial
     for j in range(STATE):
         before[j] = work.state[j]
-    strike(shape, work, before, shape.restitution)
+    how = strike(shape, work, before, shape.restitution)
+    if (
+        how == STAYS and shape.factor < 1.0 and not shape.planar
+    ):  # the velocities that are left keep the contact
+        for j in range(V, STATE):
+            work.state[j] *= shape.factor
     if shape.restitution == 0.0:
         return
     allowed = kinetic_energy(shape, before) * (1.0 + ENERGY_SLACK)

@@ -227,8 +227,8 @@ def land(  # type: ignore[no-untyped-def]
         collide_touches(shape, work)
     else:
         collide(shape, work)
-    lose_spin(shape, work)
     if shape.planar:
+        lose_spin(shape, work)
         keep_in_plane(work.state)
     pull_or_not(shape, work)
     if all_but_flat(shape, work, 0.0):

@@ -192,7 +192,7 @@ class SolidParameters(NamedTuple):
     inertia: Sym  # per unit mass about the centre of gravity [m²]
     mobility: Sym  # its inverse
     restitution: float  # e_n
-    factor: float  # on the spin that a rocking impact leaves
+    factor: float  # on the velocities that an impact leaves at a contact that stays and sticks
     limits: Thresholds
     # errors of a step that are just accepted [m, rad, m/s, rad/s], times 1 + the size of what they
     # are errors of
