@@ -49,7 +49,6 @@ ITEMS = [
     shelf("weakly", Surroundings(straps=(replace(STRAP, strength=250.0),))),
     shelf("on the edge", Surroundings(edge=Edge(at=0.2, azimuth=math.pi))),
     shelf("glued", Surroundings(pad=Pad(pull_off=0.5 * MASS * STANDARD_GRAVITY))),
-    shelf("with a lip", Surroundings(edge=Edge(at=0.2, azimuth=math.pi, lip=0.01))),
 ]
 MODEL = General(static_friction=0.6)
 
@@ -205,17 +204,22 @@ def test_beside_an_edge_every_friction_counts(pairs: list[Motion]) -> None:
     assert found.risk == class_of(max(solid.shares), solid.recordings)
 
 
-def test_a_lip_is_simulated(by_name: dict[str, ItemResult]) -> None:
-    """It keeps on its shelf what else goes over the edge."""
-    lip, bare = by_name["with a lip"], by_name["on the edge"]
-    assert not lip.left_alone
-    assert lip.solid is not None
-    assert bare.solid is not None
-    assert lip.solid.surrounded is not None
-    assert bare.solid.surrounded is not None
-    assert lip.solid.surrounded.off is not None
-    assert bare.solid.surrounded.off is not None
-    assert lip.solid.surrounded.off.value < bare.solid.surrounded.off.value
+def test_a_lip_is_simulated(pairs: list[Motion]) -> None:
+    """It keeps on its shelf what is stout, and goes over the edge without."""
+    edge = Edge(at=0.2, azimuth=math.pi)
+    printers = [
+        replace(
+            shelf(f"lip {lip:g}", Surroundings(edge=replace(edge, lip=lip))),
+            body=Body.rectangle(0.3, 0.25, name=f"lip {lip:g}"),
+            sideways=Body.rectangle(0.4, 0.25), height=0.25,
+        )
+        for lip in (0.0, 0.03)
+    ]  # fmt: skip
+    slippery = General(static_friction=0.2)
+    found = assess(printers, pairs, model=slippery, leading=0, progress=False).results
+    off = {each.item.name: each.solid.surrounded.off for each in found}  # type: ignore[union-attr]
+    assert off["lip 0.03"].value == 0.0 < off["lip 0"].value
+    assert not any(each.left_alone for each in found)
 
 
 def test_straps_that_are_tried(by_name: dict[str, ItemResult], pairs: list[Motion]) -> None:

@@ -18,12 +18,8 @@ from shaketable.models.batch import batch_of
 from shaketable.models.engine_input import refined, samples_shown, sizes_of, substeps
 from shaketable.models.held import nothing_held
 from shaketable.models.model import ManyRuns, Model, OneRun, Table
-from shaketable.models.surrounded import (
-    require_surrounded,
-    run_one_surrounded,
-    run_surrounded,
-    scenes_of,
-)
+from shaketable.models.scene import require_surrounded, scenes_of
+from shaketable.models.surrounded import run_one_surrounded, run_surrounded
 from shaketable.motion import Motion
 from shaketable.physics.plane.phases import Phase, on_tilt
 from shaketable.surroundings import Surroundings

@@ -27,7 +27,7 @@ class Table(NamedTuple):
         blocks: for the rocking model, (n, numbers of a Block).
         bodies, corners: for the general model, (n, ...); (0, 0) without it.
         scenes: the bodies among what surrounds them in the general model, (n,) of
-            `models.surrounded.Scene`; (0,) where nothing does.
+            `models.scene.Scene`; (0,) where nothing does.
     """
 
     blocks: NDArray[np.float64]

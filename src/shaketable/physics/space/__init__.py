@@ -14,12 +14,14 @@ copied. `workspace` says of each field its unit, what it means and who writes it
        +--- comes_to_rest                              +--- land <-+--> a gap closes, a wall is met
                                                                    +--> it has fallen: the end
 
-`choice.choose` finds the contact mode. It asks in this order, and takes the first that is
+`choice.choose_on_support` finds the contact mode. It takes the first of these that is
 admissible: all as they move (`try_simple`), a flat base that begins to slide (`try_slide`), a side
 that does (`try_side_slip`), points of unlike friction (`try_grip`), all of them as one
 complementarity problem (`solve_together`). Where walls, or the edge of the support, may be touched
-`beside` asks likewise of one list of touches, whatever they touch. What is called `try_...` writes
-the mode that it asks about.
+`beside` asks likewise of one list of touches, whatever they touch.
+
+A question writes nothing. What answers yes or no and writes begins with a verb that says what:
+`try_...` the mode that it asks about, `judge_...` reactions and `judged`, `gather_...` a list.
 
 | files | what they find |
 |---|---|
@@ -32,6 +34,7 @@ the mode that it asks about.
 | `impact`, `together` | velocities after a landing, without and with walls |
 | `rest`, `rest_beside` | whether pressure and friction can bear it at rest |
 | `settling` | time stepping, where no mode is admissible |
+| `in_plane` | what a deep body that stands for a planar one keeps, and tells |
 | `straps`, `pads`, `losses` | pulls, glue, rolling and turning |
 | `landing` | what is told of a fall over the edge |
 """

@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space import choice
+from shaketable.physics.space.choice import choose_on_support
 from shaketable.physics.space.complementarity import MAX_UNCONVERGED
 from shaketable.physics.space.constraints import free_turning
 from shaketable.physics.space.contacts import axes_at, lies_on_rim
@@ -21,7 +21,7 @@ from shaketable.physics.space.losses import resistance
 from shaketable.physics.space.modes import lay_ring, stand_on_rim
 from shaketable.physics.space.rates import rates
 from shaketable.physics.space.straps import with_straps
-from shaketable.physics.space.together import balance_touches, hold_touches
+from shaketable.physics.space.together import balance_touches, try_holding_touches
 from shaketable.physics.space.touches import (
     add_touch,
     drop_touch,
@@ -78,15 +78,15 @@ def choose(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     if not touches_more(shape) or (
         gather_touches(shape, work, within, shape.limits.leaving, 0.0) == 0
     ):
-        choice.choose(shape, work, f)
+        choose_on_support(shape, work, f)
         return
     if is_at_edge(shape, work):  # the support alone is not what its base could stand on
         choose_together(shape, work, f)
         return
     for j in range(STATE):
         work.kept_state[j] = work.state[j]
-    choice.choose(shape, work, f)
-    if lets_walls_be(shape, work, f):
+    choose_on_support(shape, work, f)
+    if try_letting_walls_be(shape, work, f):
         return
     for j in range(STATE):
         work.state[j] = work.kept_state[j]
@@ -96,8 +96,8 @@ def choose(shape: SolidParameters, work: Workspace, f: Vec) -> None:
 
 
 @routine
-def lets_walls_be(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
-    """Whether no touch on a wall is accelerated into it in the mode that is written."""
+def try_letting_walls_be(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
+    """Try whether no touch on a wall is accelerated into it in the mode that is written."""
     y, dy = work.state, work.stages[0]
     rates(shape, work, y, f, False, dy)
     q, found = axes_at(y), True
@@ -126,7 +126,7 @@ def choose_together(shape: SolidParameters, work: Workspace, f: Vec) -> None:
         begin_beside(shape, work, f, still_at(shape, work, q))
         return
     note_moving(shape, work, q, shape.limits.slow)
-    if nothing_moves(shape, work, q) and some_hold(shape, work, q, f):
+    if nothing_moves(shape, work, q) and try_holding(shape, work, q, f):
         stop_slow(shape, work, q)
         begin_beside(shape, work, f, True)
         return
@@ -143,7 +143,7 @@ def choose_together(shape: SolidParameters, work: Workspace, f: Vec) -> None:
         found = try_by_planes(shape, work, q, f)
     if not found:
         work.tally.fallbacks += 1.0
-        if stops_slipping(shape, work, q):
+        if try_stopping_slips(shape, work, q):
             note_moving(shape, work, q, shape.limits.slow)
             found = try_letting_slip(shape, work, q, f)
             if not found:
@@ -156,7 +156,7 @@ def choose_together(shape: SolidParameters, work: Workspace, f: Vec) -> None:
         walls += plane_of(work, place) > 0
     if walls == 0:
         note_support(shape, work)
-        choice.choose(shape, work, f)
+        choose_on_support(shape, work, f)
         return
     begin_beside(shape, work, f, still_at(shape, work, q))
 
@@ -202,7 +202,7 @@ def try_found_forces(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -
 
 
 @routine
-def stops_slipping(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
+def try_stopping_slips(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
     """End all slips at once, by impulses, if they are slow; whether they were.
 
     Where friction leaves no reaction with which they go on (Painlevé's paradox), a body jams.
@@ -242,15 +242,15 @@ def nothing_moves(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
 
 
 @routine
-def some_hold(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
-    """Whether some reactions of all touches hold a body under a force, as where it is wedged.
+def try_holding(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
+    """Try whether some reactions of all touches hold a body under a force, as where it is wedged.
 
     They all carry then.
     """
     write_free(shape, work, q, f)
     for place in range(work.mode.touches):
         work.touches[place].carries = PRESSES
-    return hold_touches(shape, work, STARTS)
+    return try_holding_touches(shape, work, STARTS)
 
 
 @kernel

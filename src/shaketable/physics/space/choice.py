@@ -71,8 +71,8 @@ def note_slip(shape: SolidParameters, work: Workspace, q: Axes, least: float) ->
 
 
 @routine
-def admissible(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
-    """Whether the mode that is written presses, holds, and lets no other point sink."""
+def judge_mode(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
+    """Judge whether the mode that is written presses, holds, and lets no other point sink."""
     dy = work.stages[0]
     rates(shape, work, work.state, f, True, dy)
     if not (work.judged.press >= -SLACK and work.judged.cone >= -SLACK):
@@ -115,7 +115,7 @@ def try_simple(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool
     """Look for an admissible mode of points that move as they do."""
     close_all(work)
     arrange_moving(shape, work)
-    if admissible(shape, work, q, f):
+    if judge_mode(shape, work, q, f):
         return True
     if lies_on_rim(shape) and work.mode.kind == FLAT:
         return try_rim(shape, work, q, f)
@@ -123,27 +123,27 @@ def try_simple(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool
         for k in range(shape.hull):
             if close_side(shape, work, k):
                 arrange_moving(shape, work)
-                if admissible(shape, work, q, f):
+                if judge_mode(shape, work, q, f):
                     return True
     if work.mode.near > 2 and rim_is_near(shape, work):
         for k in range(work.mode.near - 1):
             close_with_rim(shape, work, k)
             arrange_moving(shape, work)
-            if admissible(shape, work, q, f):
+            if judge_mode(shape, work, q, f):
                 return True
     if work.mode.near > 1:
         for k in range(work.mode.near):
             work.closed[0] = work.near[k]
             work.mode.closed = 1
             arrange_moving(shape, work)
-            if admissible(shape, work, q, f):
+            if judge_mode(shape, work, q, f):
                 return True
     return False
 
 
 @routine
 def try_rim(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
-    """Whether a circle tips over its rim, where the resultant of the forces leaves the base."""
+    """Try whether a circle tips over its rim, where the resultant of the forces leaves the base."""
     if work.mode.grip == STICKS:
         pull = with_straps(shape, work, f)
         back = Vec(pull.x, pull.y, 0.0)
@@ -161,12 +161,12 @@ def try_rim(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     work.slip[last, 0], work.slip[last, 1] = work.slip[first, 0], work.slip[first, 1]
     stand_on_rim(shape, work, along / size, across / size)
     arrange_moving(shape, work)
-    return admissible(shape, work, q, f)
+    return judge_mode(shape, work, q, f)
 
 
 @routine
 def try_slide(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
-    """Whether a body at rest begins to slide with its whole base, without turning."""
+    """Try whether a body at rest begins to slide with its whole base, without turning."""
     pull = with_straps(shape, work, f)
     size = math.sqrt(pull.x * pull.x + pull.y * pull.y)
     close_all(work)
@@ -180,7 +180,7 @@ def try_slide(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     arrange(shape, work, SLIPS, 0)
     found = (
         work.mode.kind == FLAT
-        and admissible(shape, work, q, f)
+        and judge_mode(shape, work, q, f)
         and work.stages[0, V] * pull.x + work.stages[0, V + 1] * pull.y >= 0.0
     )
     if not found:
@@ -191,7 +191,7 @@ def try_slide(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
 
 @routine
 def try_side_slip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, moving: int) -> bool:
-    """Whether a side on which a body rocks begins to slip: at both corners, or at one of them."""
+    """Try whether a side on which a body rocks begins to slip, at both corners or at one."""
     close_all(work)
     first, second = work.closed[0], work.closed[1]
     if moving == 1:  # one slips already
@@ -199,17 +199,19 @@ def try_side_slip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, movi
         arrange_moving(shape, work)
         rates(shape, work, work.state, f, True, work.stages[0])
         opposes_share(work, 0 if begins == first else 1)
-        return begin_slip(shape, work, q, f, begins, -1)
+        return try_slip_of_side(shape, work, q, f, begins, -1)
     arrange(shape, work, STICKS, 0)
     rates(shape, work, work.state, f, True, work.stages[0])
     slipping = split_along(shape, work, q)
     opposes_share(work, 0)
     opposes_share(work, 1)
-    if begin_slip(shape, work, q, f, first, second):
+    if try_slip_of_side(shape, work, q, f, first, second):
         return True
     begins = work.closed[slipping]  # the one that has less friction left, or the other
     stays = work.closed[1 - slipping]
-    return begin_slip(shape, work, q, f, begins, -1) or begin_slip(shape, work, q, f, stays, -1)
+    return try_slip_of_side(shape, work, q, f, begins, -1) or try_slip_of_side(
+        shape, work, q, f, stays, -1
+    )
 
 
 @kernel
@@ -224,7 +226,7 @@ def opposes_share(work: Workspace, place: int) -> None:
 
 
 @routine
-def begin_slip(
+def try_slip_of_side(
     shape: SolidParameters, work: Workspace, q: Axes, f: Vec, first: int, second: int
 ) -> bool:
     """Whether one point, or two, may begin to slip; nothing moves that did not if they may not."""
@@ -232,7 +234,7 @@ def begin_slip(
     if second >= 0:
         work.moving[second] = 1
     arrange_moving(shape, work)
-    if admissible(shape, work, q, f) and sets_off(shape, work, q, first, second):
+    if judge_mode(shape, work, q, f) and sets_off(shape, work, q, first, second):
         return True
     work.moving[first] = 0
     if second >= 0:
@@ -280,7 +282,7 @@ def sets_off(shape: SolidParameters, work: Workspace, q: Axes, first: int, secon
 
 @routine
 def try_grip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
-    """Whether a flat base on points of different friction stays flat; some of them may slip."""
+    """Try whether a flat base on points of different friction stays flat; some of them may slip."""
     left = flat_grip(shape, work, q, with_straps(shape, work, f), ITERATIONS)
     if left < 0.0:
         return False
@@ -330,7 +332,7 @@ def solve_together(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
 
 
 @routine
-def choose(shape: SolidParameters, work: Workspace, f: Vec) -> None:
+def choose_on_support(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     """Find and begin the mode that follows, for the points on the support (`near`)."""
     if work.mode.near == 0:
         work.mode.closed = 0

@@ -12,9 +12,9 @@ from shaketable.physics.space.run import (
     GroundAcceleration,
     RunSetup,
     SolidTrace,
-    is_held_up,
     place,
     run,
+    try_released,
 )
 from shaketable.physics.space.workspace import STATE, Floats, SolidRecords, Workspaces
 
@@ -32,7 +32,7 @@ def move_solid(
     """Simulate a solid under one motion, once for each of its stands.
 
     Args:
-        shapes: the solid, and without walls and straps if it has some: see `is_held_up`.
+        shapes: the solid, and without walls and straps if it has some: see `try_released`.
         workspaces, ground: what its runs write to, and the motion.
         stands: the numbers of a RunSetup for each run, (n, 5).
         as_is: whether it begins in the state that the workspace holds, which may be any above the
@@ -54,5 +54,5 @@ def move_solid(
             place(shape, work, stand.orientation)
         run(shape, work, ground, stand, trace, found[k])
         if shapes.shape[0] > 1:
-            held = is_held_up(shapes[1], work, still, stand, untraced, found[k, 0], released)
+            held = try_released(shapes[1], work, still, stand, untraced, found[k, 0], released)
             found[k, SUMMARY] = 1.0 if held else 0.0

@@ -68,8 +68,8 @@ def goal_of(shape: SolidParameters, speed: float, restitution: float) -> float:
 
 
 @routine
-def impulses_hold(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
-    """Whether the impulses of a contact that sticks, in `solved`, press and keep to their cones."""
+def judge_impulses(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
+    """Judge whether impulses where all sticks, in `solved`, press and keep to their cones."""
     z, n = work.solved, work.mode.closed
     rank = work.mode.kind
     if rank == CORNER:
@@ -77,7 +77,7 @@ def impulses_hold(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
         return z[0] >= 0.0 and math.sqrt(z[1] * z[1] + z[2] * z[2]) <= limit(mu, z[0])
     origin = work.closed[0]
     if rank == EDGE:
-        return side_holds(shape, work, q)
+        return judge_side_impulses(shape, work, q)
     total, x, y = 0.0, 0.0, 0.0
     for place in range(n):
         share = 0.0
@@ -114,8 +114,8 @@ def impulses_hold(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
 
 
 @routine
-def side_holds(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
-    """Whether the impulses along a side press and keep to their cones."""
+def judge_side_impulses(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
+    """Judge whether the impulses along a side press and keep to their cones."""
     z = work.solved
     for place in range(work.mode.closed):
         work.shares[place, 2] = z[0] + z[1] * work.basis[place, 1]
@@ -125,7 +125,7 @@ def side_holds(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
 
 
 @routine
-def strikes(
+def try_impact(
     shape: SolidParameters,
     work: Workspace,
     q: Axes,
@@ -151,7 +151,7 @@ def strikes(
     for j in range(STATE):
         y[j] = before[j]
     arrange(shape, work, STICKS, 0)
-    if not arrest(shape, work, q, y, keep) or not impulses_hold(shape, work, q):
+    if not arrest(shape, work, q, y, keep) or not judge_impulses(shape, work, q):
         return 0
     for k in range(work.mode.near):
         point = work.near[k]
@@ -176,26 +176,26 @@ def strike(shape: SolidParameters, work: Workspace, before: Floats, restitution:
         fastest = max(fastest, abs(u.x), abs(u.y), abs(u.z))
     slack = ROUND_OFF * fastest
     close_all(work)
-    how = strikes(shape, work, q, before, restitution, slack)
+    how = try_impact(shape, work, q, before, restitution, slack)
     if how:
         return how
     if work.mode.near > 2:
         for k in range(shape.hull):
             if close_side(shape, work, k):
-                how = strikes(shape, work, q, before, restitution, slack)
+                how = try_impact(shape, work, q, before, restitution, slack)
                 if how:
                     return how
     if work.mode.near > 2 and rim_is_near(shape, work):
         for k in range(work.mode.near - 1):
             close_with_rim(shape, work, k)
-            how = strikes(shape, work, q, before, restitution, slack)
+            how = try_impact(shape, work, q, before, restitution, slack)
             if how:
                 return how
     if work.mode.near > 1:
         for k in range(work.mode.near):
             work.closed[0] = work.near[k]
             work.mode.closed = 1
-            how = strikes(shape, work, q, before, restitution, slack)
+            how = try_impact(shape, work, q, before, restitution, slack)
             if how:
                 return how
     strike_together(shape, work, q, before, restitution)

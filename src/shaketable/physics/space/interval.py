@@ -57,10 +57,10 @@ from shaketable.physics.space.settling import (
     GOES_ON,
     LANDED,
     all_but_flat,
-    all_but_leaning,
     creep,
+    gather_leaning,
+    gather_settling_at_edge,
     lay_flat,
-    settles_at_edge,
 )
 from shaketable.physics.space.step import Pull, pull_at, take_step
 from shaketable.physics.space.straps import hold_on, note_forces, pull_or_not, with_straps
@@ -235,17 +235,17 @@ def land(  # type: ignore[no-untyped-def]
         if lies_on_rim(shape):
             lay_ring(shape, work)
         lay_flat(shape, work)
-    elif settles_at_edge(shape, work):
+    elif gather_settling_at_edge(shape, work):
         choose_together(shape, work, f)
         return
-    elif not all_but_leaning(shape, work, 0.0):
+    elif not gather_leaning(shape, work, 0.0):
         collect_contacts(shape, work, shape.limits.leaving)
     choose(shape, work, f)
 
 
 @routine
-def meets(shape: SolidParameters, work: Workspace) -> bool:
-    """Whether a side, or a corner, that follows one which has passed the edge strikes it."""
+def gather_what_meets(shape: SolidParameters, work: Workspace) -> bool:
+    """List what touches after a passage of the edge; whether any of it is struck."""
     collect_contacts(shape, work, math.inf)
     gather_touches(shape, work, shape.limits.landing, math.inf, 0.0)
     q, found = axes_at(work.state), False
@@ -308,7 +308,7 @@ def respond(  # type: ignore[no-untyped-def]
         work.tally.met = 1.0
         note_past(shape, work, False)
         look_behind(shape, work)  # sides that can be met now
-    if kind == PASS and meets(shape, work):
+    if kind == PASS and gather_what_meets(shape, work):
         land(shape, work, f, WALL, impact_times)
         return False
     pull_or_not(shape, work)
@@ -354,7 +354,7 @@ def rest_ends(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> 
     if shape.straps > 0:
         hold_on(shape, work)
     if work.mode.kind == WALLED:
-        holds = support_holds(shape, work, pull, u)
+        holds = judge_support(shape, work, pull, u)
         if holds:  # without its walls; what touches a lip stays as it is
             return NEVER if is_at_edge(shape, work) else u
         return rest_beside_until(shape, work, pull, u)
@@ -372,8 +372,8 @@ def comes_to_rest(shape: SolidParameters, work: Workspace) -> bool:
 
 
 @routine
-def support_holds(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> bool:
-    """Whether the support alone holds a body that lies flat, through what is left of an interval.
+def judge_support(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> bool:
+    """Judge whether the support alone holds a flat body through what is left of an interval.
 
     Rests end where sliding begins, so that a margin of none is none.
     """

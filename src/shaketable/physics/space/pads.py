@@ -25,8 +25,8 @@ HALVINGS = 60
 
 
 @kernel
-def hold_down(shape: SolidParameters, work: Workspace, force: Vec) -> bool:
-    """Whether glued feet hold a body at rest under a force, without that of its straps."""
+def judge_pads(shape: SolidParameters, work: Workspace, force: Vec) -> bool:
+    """Judge whether glued feet hold a body at rest under a force, without that of its straps."""
     f = with_straps(shape, work, force)
     q = axes_at(work.state)
     pressure = shape.glue - f.z
@@ -43,12 +43,12 @@ def hold_down(shape: SolidParameters, work: Workspace, force: Vec) -> bool:
 @routine
 def glued_until(shape: SolidParameters, work: Workspace, pull: Pull) -> float:
     """The part of an interval after which glued feet let go, or NEVER."""
-    if hold_down(shape, work, pull_at(pull, 1.0)):
+    if judge_pads(shape, work, pull_at(pull, 1.0)):
         return NEVER
     low, high = 0.0, 1.0
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        if hold_down(shape, work, pull_at(pull, middle)):
+        if judge_pads(shape, work, pull_at(pull, middle)):
             low = middle
         else:
             high = middle

@@ -47,9 +47,9 @@ def rest_margin(shape: SolidParameters, work: Workspace, f: Vec) -> float:
             across -= work.torque[0]
         tips = flat_margin(shape, work, pressure, along, across)
     slips = limit(shape.least_static, pressure) - size
-    if slips < 0.0 and not shape.uniform and tips >= 0.0 and holds_together(shape, work, f):
+    if slips < 0.0 and not shape.uniform and tips >= 0.0 and judge_together(shape, work, f):
         slips = 0.0
-    if pulled and slips >= 0.0 and tips >= 0.0 and not holds_together(shape, work, f):
+    if pulled and slips >= 0.0 and tips >= 0.0 and not judge_together(shape, work, f):
         slips = -NOT_HELD
     return min(tips, slips)
 
@@ -63,8 +63,8 @@ def stand_all(shape: SolidParameters, work: Workspace) -> None:
 
 
 @routine
-def holds_together(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
-    """Whether points with frictions of their own hold a body."""
+def judge_together(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
+    """Judge whether points with frictions of their own hold a body."""
     stand_all(shape, work)
     for place in range(work.mode.near):
         work.moving[work.near[place]] = 0

@@ -7,7 +7,7 @@ of a few independent rows (`walled`) are tried first, as it is soon known whethe
 from __future__ import annotations
 
 from shaketable.compiled import routine
-from shaketable.physics.space.beside import is_small, some_hold
+from shaketable.physics.space.beside import is_small, try_holding
 from shaketable.physics.space.contacts import axes_at
 from shaketable.physics.space.rates import rates
 from shaketable.physics.space.rest import NEVER
@@ -22,23 +22,23 @@ REST_HALVINGS, HELD_HALVINGS = 30, 8
 
 
 @routine
-def rests_beside(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
-    """Whether some reactions of the touches hold a body at rest under a force."""
-    return rows_hold(shape, work, f) or is_held(shape, work, f)
+def judge_rest_beside(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
+    """Judge whether some reactions of the touches hold a body at rest under a force."""
+    return judge_rows(shape, work, f) or judge_all_touches(shape, work, f)
 
 
 @routine
-def rows_hold(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
-    """Whether those of the rows that are kept do."""
+def judge_rows(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
+    """Judge whether those of the rows that are kept do."""
     rates(shape, work, work.state, f, True, work.stages[0])
     margin = min(work.judged.press, work.judged.cone)
     return margin >= -PAST * SLACK and is_small(shape, work.stages[0])
 
 
 @routine
-def is_held(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
-    """Whether those of all touches do."""
-    return some_hold(shape, work, axes_at(work.state), f)
+def judge_all_touches(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
+    """Judge whether those of all touches do."""
+    return try_holding(shape, work, axes_at(work.state), f)
 
 
 @routine
@@ -48,13 +48,13 @@ def rest_beside_until(shape: SolidParameters, work: Workspace, pull: Pull, u: fl
     There the rows that hold it do so no longer, and others may. The forces that reactions in cones
     withstand are a convex set, and the pull is linear.
     """
-    rows = rows_hold(shape, work, pull_at(pull, u))
-    if rests_until(shape, work, pull_at(pull, 1.0), rows):
+    rows = judge_rows(shape, work, pull_at(pull, u))
+    if judge_rest_until(shape, work, pull_at(pull, 1.0), rows):
         return NEVER
     low, high = u, 1.0
     for _ in range(REST_HALVINGS if rows else HELD_HALVINGS):
         middle = 0.5 * (low + high)
-        if rests_until(shape, work, pull_at(pull, middle), rows):
+        if judge_rest_until(shape, work, pull_at(pull, middle), rows):
             low = middle
         else:
             high = middle
@@ -62,6 +62,6 @@ def rest_beside_until(shape: SolidParameters, work: Workspace, pull: Pull, u: fl
 
 
 @routine
-def rests_until(shape: SolidParameters, work: Workspace, f: Vec, rows: bool) -> bool:
-    """Whether a body rests, by its rows or by all touches."""
-    return rows_hold(shape, work, f) if rows else is_held(shape, work, f)
+def judge_rest_until(shape: SolidParameters, work: Workspace, f: Vec, rows: bool) -> bool:
+    """Judge whether a body rests, by its rows or by all touches."""
+    return judge_rows(shape, work, f) if rows else judge_all_touches(shape, work, f)

@@ -25,7 +25,7 @@ from shaketable.physics.space.landing import EDGE as TOLD_OF_EDGE
 from shaketable.physics.space.landing import LANDING_TIME, LEFT_AT, write_edge
 from shaketable.physics.space.pads import NEVER, glued_until
 from shaketable.physics.space.rest import rest_margin
-from shaketable.physics.space.rest_beside import rests_beside
+from shaketable.physics.space.rest_beside import judge_rest_beside
 from shaketable.physics.space.settling import GOES_ON, LANDED
 from shaketable.physics.space.step import Pull, pull_at
 from shaketable.physics.space.straps import (
@@ -360,7 +360,7 @@ def run(
                     ending = STILL_SLIDING
                     break
             at_rest = work.mode.kind == WALLED and work.mode.grip == STICKS
-            if at_rest and rests_beside(shape, work, after):
+            if at_rest and judge_rest_beside(shape, work, after):
                 ending = STANDING
                 break
             late = start - end > FREE_TIME and not is_off(shape, work.state)
@@ -425,7 +425,7 @@ def write_straps(shape: SolidParameters, work: Workspace, found: Floats) -> None
 
 
 @routine
-def is_held_up(
+def try_released(
     alone: SolidParameters,
     work: Workspace,
     still: GroundAcceleration,
@@ -434,7 +434,7 @@ def is_held_up(
     ending: float,
     found: Floats,
 ) -> bool:
-    """Whether a solid that has not fallen would, if nothing but its support were there.
+    """Try whether a solid that has not fallen would, if nothing but its support were there.
 
     The run goes on from its last state, which this overwrites, with the ground at rest. What is
     turned too little to have tipped over, and has too little energy to do so, needs no run, unless

@@ -96,8 +96,8 @@ def settles(shape: SolidParameters, work: Workspace, q: Axes, point: int, most: 
 
 
 @routine
-def all_but_leaning(shape: SolidParameters, work: Workspace, hovers: float) -> bool:
-    """Whether two high points and the rim are as near as a settling base's corners; notes them."""
+def gather_leaning(shape: SolidParameters, work: Workspace, hovers: float) -> bool:
+    """List two high points and the rim, if they are as near as a settling base's corners."""
     if shape.radius == 0.0 or lies_on_rim(shape):
         return False
     q, most, n = axes_at(work.state), settling_height(shape, hovers), 0
@@ -140,8 +140,8 @@ def keep_supported(shape: SolidParameters, work: Workspace) -> None:
 
 
 @routine
-def settles_at_walls(shape: SolidParameters, work: Workspace) -> bool:
-    """Whether a body is as near to a wall as a settling base to the support; lists its touches."""
+def gather_settling_at_walls(shape: SolidParameters, work: Workspace) -> bool:
+    """List touches; whether a body is as near to a wall as a settling base to the support."""
     q, most, n = axes_at(work.state), shape.limits.landing, 0
     rim = shape.radius > 0.0
     if rim:
@@ -156,11 +156,8 @@ def settles_at_walls(shape: SolidParameters, work: Workspace) -> bool:
 
 
 @routine
-def settles_at_edge(shape: SolidParameters, work: Workspace) -> bool:
-    """Whether a body that hangs over the edge is as near to lying flat as a settling base.
-
-    Lists its touches.
-    """
+def gather_settling_at_edge(shape: SolidParameters, work: Workspace) -> bool:
+    """List touches; whether a body over the edge is as near to lying flat as a settling base."""
     q, most = axes_at(work.state), settling_height(shape, 0.0)
     if not near_line(shape, work.state):
         return False
@@ -266,10 +263,10 @@ def settle_creep(shape: SolidParameters, work: Workspace, f: Vec) -> None:
         lay_flat(shape, work)
         choose(shape, work, f)
         return
-    if all_but_leaning(shape, work, shape.limits.hovering):
+    if gather_leaning(shape, work, shape.limits.hovering):
         choose(shape, work, f)
         return
-    if touches_more(shape) and settles_at_walls(shape, work):
+    if touches_more(shape) and gather_settling_at_walls(shape, work):
         choose_together(shape, work, f)
         return
     work.mode.closed = 0

@@ -44,7 +44,7 @@ from shaketable.physics.space.vectors import (
     times,
 )
 from shaketable.physics.space.walled import (
-    FOLLOWS,
+    DEPENDENT,
     PRESSES,
     PRESSURE,
     impelled,
@@ -198,8 +198,8 @@ def with_reaction(
 
 
 @routine
-def hold_touches(shape: SolidParameters, work: Workspace, small: float) -> bool:
-    """Whether reactions inside the touches' cones leave no acceleration.
+def try_holding_touches(shape: SolidParameters, work: Workspace, small: float) -> bool:
+    """Try whether reactions inside the touches' cones leave no acceleration.
 
     The least acceleration (in the metric of the mass) over a product of cones is a convex problem:
     one block after the other, exactly where its reaction sticks, else by a projected gradient.
@@ -276,7 +276,7 @@ def strike_touches(shape: SolidParameters, work: Workspace, share: float, within
         work.goal[place] = -restitution * u.z if u.z < -shape.limits.bounce else 0.0
         if within > 0.0:
             work.goal[place] = -max(touch_gap(shape, work, q, before, place), 0.0) / within
-    if within == 0.0 and strikes_sticking(shape, work, q):
+    if within == 0.0 and try_sticking_impact(shape, work, q):
         return
     sweeps = SWEEPS if work.tally.fallbacks < MAX_UNCONVERGED else FEWER_SWEEPS
     sweeps = sweeps if within == 0.0 else CREEP_SWEEPS
@@ -287,14 +287,14 @@ def strike_touches(shape: SolidParameters, work: Workspace, share: float, within
 
 
 @routine
-def strikes_sticking(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
+def try_sticking_impact(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
     """Try an impact in which the touches that approach stick; the state is struck if it is one."""
     before, y, slowest = work.trial, work.state, 0.0
     for place in range(work.mode.touches):
         touch = work.touches[place]
         slowest = max(slowest, -work.free[place, 2])
         touch.moves = 0
-        touch.carries = PRESSES if work.free[place, 2] < work.goal[place] else FOLLOWS
+        touch.carries = PRESSES if work.free[place, 2] < work.goal[place] else DEPENDENT
     slack = CONVERGED * slowest
     write_mode(shape, work, q)
     k = work.mode.rows

@@ -19,7 +19,7 @@ from shaketable.physics.space.touches import (
 )
 from shaketable.physics.space.vectors import Axes, Vec
 from shaketable.physics.space.walled import (
-    FOLLOWS,
+    DEPENDENT,
     MAY_PRESS,
     PRESSES,
     PULLS,
@@ -216,7 +216,7 @@ def drop_pull(work: Workspace) -> bool:
     for place in range(work.mode.touches):
         least = min(least, work.shares[place, 2])
     for place in range(work.mode.touches):
-        if work.touches[place].carries == FOLLOWS:
+        if work.touches[place].carries == DEPENDENT:
             work.touches[place].carries = MAY_PRESS
         if least < -SLACK and work.shares[place, 2] < LIKE_LEAST * least:
             work.touches[place].carries = PULLS

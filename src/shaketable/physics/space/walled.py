@@ -53,7 +53,7 @@ from shaketable.physics.space.workspace import (
 FIRST_TANGENT, SECOND_TANGENT, PRESSURE, TURN = range(4)
 # What `Touch.carries` says: it carries a share, it may carry if it is independent of those that do,
 # it follows from them and carries nothing, or it would pull.
-PRESSES, MAY_PRESS, FOLLOWS, PULLS = 2, 1, 0, -1
+PRESSES, MAY_PRESS, DEPENDENT, PULLS = 2, 1, 0, -1
 INDEPENDENT = 1e-6  # square of what of a row must not follow from the others, by that of the row
 MOST_SHIFT = (
     100.0  # times the largest gap: rows that would move a body farther are all but dependent
@@ -158,7 +158,7 @@ def write_mode(shape: SolidParameters, work: Workspace, q: Axes) -> None:
                 elif first == PRESSES:
                     spread_out(work, place)
                 else:
-                    work.touches[place].carries = FOLLOWS
+                    work.touches[place].carries = DEPENDENT
     work.mode.pressures = work.mode.rows
     keep_sticking(shape, work)
 
