@@ -81,6 +81,7 @@ FORCE_PAST, SLIP_PAST = 1e-9, 1e-9
 # A gap that is below zero by the first is an event, which is then found where it is below zero by
 # the second: what has just landed is no event again [m].
 GAP_SEEN, GAP_FOUND = 1e-11, 1e-12
+SHALLOW = 0.2  # of the landing threshold: so deep may be in a wall what is as good as at rest there
 # m; m/s² or m/s: an event is found where its guard is below zero by less
 GAP_WINDOW, OTHER_WINDOW = 1e-12, 1e-9
 
@@ -89,6 +90,17 @@ GAP_WINDOW, OTHER_WINDOW = 1e-12, 1e-9
 def window(kind: int) -> float:
     """How far below zero a guard may be where its event is found."""
     return GAP_WINDOW if kind in (GAP, WALL, PASS, LANDING) else OTHER_WINDOW
+
+
+@kernel
+def sets_off_backward(shape: SolidParameters, ahead: float, rate: float) -> bool:
+    """Whether a slip that begins still has a speed against its direction that is as good as none.
+
+    Args:
+        ahead: its speed along its direction [m/s].
+        rate: how fast that grows [m/s²].
+    """
+    return -shape.limits.slipping < ahead < 0.0 < rate
 
 
 @kernel
@@ -157,7 +169,9 @@ def least_guard(
                 u = velocity(shape, work, q, y, point)
                 change = acceleration(shape, work, q, y, dy, point)
                 ahead = u.x * x + u.y * along + SLIP_PAST
-                found = nearer(found, SLIP, ahead, change.x * x + change.y * along)
+                rate = change.x * x + change.y * along
+                if not sets_off_backward(shape, ahead, rate):
+                    found = nearer(found, SLIP, ahead, rate)
     for k in range(shape.straps):
         found = strap_guard(work, q, y, dy, k, found)
     if has_edge(shape):
@@ -173,8 +187,34 @@ def least_guard(
         for point in range(shape.contacts):
             if not (is_carrying(work, 0, point) if rank == WALLED else is_closed(work, point)):
                 gap = support_gap(shape, work, q, y, point) + gap_past
-                found = nearer(found, GAP, gap, velocity(shape, work, q, y, point).z)
+                speed = velocity(shape, work, q, y, point).z
+                if not (gap < 0.0 < speed and rises_from_support(shape, work, point)):
+                    found = nearer(found, GAP, gap, speed)
     return found
+
+
+@routine
+def rises_from_support(shape: SolidParameters, work: Workspace, point: int) -> bool:
+    """Whether a point that has left the support was a hair below it as the step began.
+
+    What was left there by rounding, and goes away, does not land.
+    """
+    q, y = axes_at(work.state), work.state
+    below = support_gap(shape, work, q, y, point) < 0.0
+    return below and velocity(shape, work, q, y, point).z > 0.0
+
+
+@routine
+def rests_on_wall(shape: SolidParameters, work: Workspace, wall: int, point: int) -> bool:
+    """Whether a point of the outline that a wall does not hold was there as the step began.
+
+    Its speed is as good as none: feet that stick as it turns may leave it one that an impact would
+    take in vain. It may go a hair deeper.
+    """
+    q, y = axes_at(work.state), work.state
+    gap = wall_gap(shape, work, q, y, wall, point)
+    near = -SHALLOW * shape.limits.landing < gap < GAP_SEEN
+    return near and wall_speed(shape, work, q, y, wall, point) > -shape.limits.slipping
 
 
 @routine
@@ -214,7 +254,10 @@ def touch_guards(
         for point in range(shape.outline):
             if not (pressed and is_carrying(work, wall, point)):
                 gap = wall_gap(shape, work, q, y, wall, point) + gap_past
-                found = nearer(found, WALL, gap, wall_speed(shape, work, q, y, wall, point))
+                speed = wall_speed(shape, work, q, y, wall, point)
+                slow = gap < 0.0 and speed > -shape.limits.slipping
+                if not (slow and rests_on_wall(shape, work, wall, point)):
+                    found = nearer(found, WALL, gap, speed)
     if has_edge(shape):
         found = edge_guards(shape, work, q, y, gap_past, found)
     if pressed:
@@ -225,7 +268,9 @@ def touch_guards(
                 u = touch_velocity(work, q, y, place)
                 change = touch_acceleration(work, q, y, vec(dy, V), vec(dy, W), place)
                 ahead = u.x * x + u.y * z + SLIP_PAST
-                found = nearer(found, SLIP, ahead, change.x * x + change.y * z)
+                rate = change.x * x + change.y * z
+                if not sets_off_backward(shape, ahead, rate):
+                    found = nearer(found, SLIP, ahead, rate)
     return found
 
 

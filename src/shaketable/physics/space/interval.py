@@ -76,6 +76,7 @@ from shaketable.physics.space.touches import (
     touches_more,
 )
 from shaketable.physics.space.vectors import dot
+from shaketable.physics.space.walls import push_out
 from shaketable.physics.space.workspace import (
     CORNER,
     FLAT,
@@ -224,6 +225,8 @@ def land(  # type: ignore[no-untyped-def]
     beside = touches_more(shape)
     if beside and gather_touches(shape, work, shape.limits.landing, math.inf, 0.0) > 0:
         work.tally.met = 1.0
+        if shape.walls > 0:
+            push_out(shape, work)
         collide_touches(shape, work)
     else:
         collide(shape, work)

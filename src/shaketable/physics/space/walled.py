@@ -95,10 +95,10 @@ def keep_row(shape: SolidParameters, work: Workspace, place: int, component: int
     force, torque = row_of(work, place, component)
     size = dot(force, force) + dot(torque, applied(shape.mobility, torque))
     for i in range(k):
+        work.parts[i] = part_along(shape, work, i, force, torque)
         other, turns = vec(work.independent[i], 0), vec(work.independent[i], 3)
-        part = dot(other, force) + dot(turns, applied(shape.mobility, torque))
-        work.parts[i] = part
-        force, torque = add(force, times(-part, other)), add(torque, times(-part, turns))
+        force = add(force, times(-work.parts[i], other))
+        torque = add(torque, times(-work.parts[i], turns))
     left = dot(force, force) + dot(torque, applied(shape.mobility, torque))
     if left <= INDEPENDENT * size:
         return False
@@ -113,6 +113,25 @@ def keep_row(shape: SolidParameters, work: Workspace, place: int, component: int
     work.kept[k, 0], work.kept[k, 1] = place, component
     work.mode.rows = k + 1
     return True
+
+
+@kernel
+def part_along(shape: SolidParameters, work: Workspace, i: int, force: Vec, torque: Vec) -> float:
+    """The part of a row along one of those that are made orthogonal."""
+    other, turns = vec(work.independent[i], 0), vec(work.independent[i], 3)
+    return dot(other, force) + dot(turns, applied(shape.mobility, torque))
+
+
+@routine
+def is_dependent(shape: SolidParameters, work: Workspace, place: int) -> bool:
+    """Whether the pressure of a touch follows from the rows that are kept."""
+    force, torque = row_of(work, place, PRESSURE)
+    size = dot(force, force) + dot(torque, applied(shape.mobility, torque))
+    for i in range(work.mode.rows):
+        part = part_along(shape, work, i, force, torque)
+        force = add(force, times(-part, vec(work.independent[i], 0)))
+        torque = add(torque, times(-part, vec(work.independent[i], 3)))
+    return dot(force, force) + dot(torque, applied(shape.mobility, torque)) <= INDEPENDENT * size
 
 
 @kernel
