@@ -188,7 +188,8 @@ def least_guard(
             if not (is_carrying(work, 0, point) if rank == WALLED else is_closed(work, point)):
                 gap = support_gap(shape, work, q, y, point) + gap_past
                 speed = velocity(shape, work, q, y, point).z
-                if not (gap < 0.0 < speed and rises_from_support(shape, work, point)):
+                hair = -shape.limits.landing < gap < 0.0 < speed
+                if not (hair and rises_from_support(shape, work, point)):
                     found = nearer(found, GAP, gap, speed)
     return found
 
@@ -255,7 +256,8 @@ def touch_guards(
             if not (pressed and is_carrying(work, wall, point)):
                 gap = wall_gap(shape, work, q, y, wall, point) + gap_past
                 speed = wall_speed(shape, work, q, y, wall, point)
-                slow = gap < 0.0 and speed > -shape.limits.slipping
+                shallow = -SHALLOW * shape.limits.landing < gap < 0.0
+                slow = shallow and speed > -shape.limits.slipping
                 if not (slow and rests_on_wall(shape, work, wall, point)):
                     found = nearer(found, WALL, gap, speed)
     if has_edge(shape):

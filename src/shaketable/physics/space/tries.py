@@ -37,7 +37,8 @@ from shaketable.physics.space.workspace import (
 )
 
 SLACK = 5e-10  # m/s²: a touch may be accelerated into its plane by this much
-#: m/s²: likewise one whose row all but follows from those that are kept: these hold it as well.
+#: m/s²: likewise one on a wall that carries nothing, and whose row all but follows from those that
+#: are kept: these hold it as well.
 DEPENDENT_SLACK = 1e-3
 AT_EDGE = 1e-6  # of the friction: a touch whose reaction is further inside its cone sticks
 STARTS = 1e-6  # m/s²: what is accelerated by less neither slips, nor leaves, nor ends its rest
@@ -187,7 +188,9 @@ def try_as_they_move(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -
     for place in range(work.mode.touches):
         a = touch_acceleration(work, q, y, vec(dy, V), vec(dy, W), place)
         if a.z < -SLACK:
-            found = found and a.z >= -DEPENDENT_SLACK and is_dependent(shape, work, place)
+            on_wall = 0 < plane_of(work, place) <= shape.walls
+            may = on_wall and work.touches[place].carries != PRESSES and a.z >= -DEPENDENT_SLACK
+            found = found and may and is_dependent(shape, work, place)
         touch, u = work.touches[place], touch_velocity(work, q, y, place)
         if touch.moves > 0 and math.sqrt(u.x * u.x + u.y * u.y) <= shape.limits.slipping:
             along = a.x * touch.slip_x + a.y * touch.slip_y
