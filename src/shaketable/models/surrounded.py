@@ -151,7 +151,7 @@ def run_one_surrounded(
         return None
     told = told_of(end, found, shaking.a_x.size)
     body, time = scene.body, times_of(shaking, end, found.held)
-    shown = samples_shown(time.size, parts, shaking)
+    shown = np.union1d(samples_shown(time.size, parts, shaking), [time.size - 1])
     state = planar_states(trace.state[shown])
     changes, phases = phases_of(body, scene.tilt, trace, time.size, time)
     return OneRun(

@@ -136,6 +136,8 @@ def test_a_fall_off_the_support_is_a_fall_to_that_side() -> None:
     assert run.outcome == 1
     assert run.overturning_time == run.landing_time > run.left_support_at > 0.0
     assert run.landing_x > 0.2
+    assert run.time[-1] == run.landing_time
+    assert run.position[-1, 0] == run.landing_x
     assert 0.0 < run.landing_speed < 5.0
     assert run.peak_rotation <= math.pi / 2
     free = simulate(body, push, model=General(static_friction=0.2))
