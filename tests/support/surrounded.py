@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from shaketable import Body, General, Surroundings
 from shaketable.models.deep import ground_of
 from shaketable.models.deep import move as move_deep
-from shaketable.models.in_plane import planar_states
 from shaketable.models.model import Held
+from shaketable.models.planar_history import planar_states
 from shaketable.models.scene import Place, let_go, scenes_of
 from shaketable.models.surrounded import told_of
 from shaketable.physics.plane.forcing import Shaking

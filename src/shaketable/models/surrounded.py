@@ -17,8 +17,8 @@ from shaketable.engine.endings import Ending
 from shaketable.models.deep import Found, ground_of, move
 from shaketable.models.engine_input import samples_shown
 from shaketable.models.held import nothing_held
-from shaketable.models.in_plane import phases_of, planar_states, slips_of
 from shaketable.models.model import Held, ManyRuns, OneRun
+from shaketable.models.planar_history import phases_of, planar_states, slips_of
 from shaketable.models.scene import MARGIN, Scene, let_go, require_clear
 
 if TYPE_CHECKING:

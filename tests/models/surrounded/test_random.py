@@ -127,6 +127,12 @@ def test_a_body_between_two_walls_that_it_touches_enters_neither() -> None:
     runs_end_well(range(136914, 136915))
 
 
+@pytest.mark.parametrize("seed", [107517, 108194, 110712, 119778])
+def test_what_rests_at_a_wall_enters_it_by_no_more_than_a_hair(seed: int) -> None:
+    """What is a hair behind a wall is let be; within a long step it may go deeper (6e-6 m)."""
+    runs_end_well(range(seed, seed + 1))
+
+
 @pytest.mark.slow
 def test_many_random_runs_end_and_enter_nothing() -> None:
     runs_end_well(range(1000, 6000))
@@ -176,6 +182,12 @@ def test_energy_never_rises_on_a_support_at_rest() -> None:
 def test_a_body_that_comes_to_rest_in_a_corner_stays_there() -> None:
     """Four contacts that stick all but depend on each other: no rounding may move it (1.2 mm)."""
     assert energy_falls(2853)
+
+
+@pytest.mark.parametrize("seed", [164, 434])
+def test_steps_of_time_do_not_throw_a_body_across_the_edge(seed: int) -> None:
+    """Over a lip, in steps of 0.1 ms: out of a side that is not the nearest it was 0.2 m away."""
+    assert energy_falls(seed)
 
 
 @pytest.mark.slow
