@@ -11,6 +11,7 @@ import pytest
 
 from shaketable import General, Solid
 from shaketable.models.solid_input import shapes_of
+from shaketable.physics.space.closing import close_all
 from shaketable.physics.space.constraints import react
 from shaketable.physics.space.contacts import axes_at
 from shaketable.physics.space.flat_slip import (
@@ -20,6 +21,7 @@ from shaketable.physics.space.flat_slip import (
     slides_straight,
 )
 from shaketable.physics.space.modes import arrange
+from shaketable.physics.space.touches import add_near, begin_list
 from shaketable.physics.space.vectors import Vec
 from shaketable.physics.space.workspace import (
     FLAT,
@@ -57,9 +59,11 @@ def sliding(name: str, friction: float, rng: np.random.Generator, spin: float) -
     state[W + 2] = spin
     state[Q], state[Q + 3] = math.cos(half), math.sin(half)
     work.state[:] = state
-    work.closed[:n] = np.arange(n)
-    work.mode.closed = n
-    work.slip[:n] = 1.0, 0.0
+    begin_list(work)
+    for point in range(n):
+        add_near(work, point)
+        work.touches[point].slip_x = 1.0
+    close_all(shape, work)
     arrange(shape, work, SLIPS, -1)
     assert work.mode.kind == FLAT
     return shape, work
@@ -79,16 +83,16 @@ def test_it_slides_and_turns_as_any_contact(name: str, friction: float, spin: fl
         n = work.mode.closed
         q, y = axes_at(work.state), work.state
         linear, rate, found = slide_and_turn(shape, work, q, y, PULL)
-        shares = work.shares[:n].copy()
-        work.shares[:] = 0.0
+        shares = work.touches["share"][:n].copy()
+        work.touches["share"] = 0.0
         expected_linear, expected_turn = react(shape, work, q, y, PULL)
-        assert found == (work.shares[:n, 2].min() >= 0.0)
+        assert found == (work.touches["share"][:n, 2].min() >= 0.0)
         if not found:
             continue
         # of accelerations up to ten, and systems whose condition is below 1e3
         np.testing.assert_allclose(linear, expected_linear, rtol=0.0, atol=1e-11)
         np.testing.assert_allclose((0.0, 0.0, rate), expected_turn, rtol=0.0, atol=1e-10)
-        np.testing.assert_allclose(shares[:, 2], work.shares[:n, 2], rtol=0.0, atol=1e-10)
+        np.testing.assert_allclose(shares[:, 2], work.touches["share"][:n, 2], rtol=0.0, atol=1e-10)
         borne.append(int((shares[:, 2] > 0.0).sum()))
     assert borne
     if name == "box" and friction == 0.25:
@@ -106,7 +110,7 @@ def test_it_slides_straight_as_any_contact(name: str, friction: float) -> None:
         assert slides_straight(shape, work, y)
         linear, press = slide_straight(shape, work, q, y, PULL)
         expected_linear, expected_turn = react(shape, work, q, y, PULL)
-        shares = work.shares[: work.mode.closed, 2]
+        shares = work.touches["share"][: work.mode.closed, 2]
         stays = bool(shares.min() >= -1e-12 * shares.sum())
         assert (press >= 0.0) == stays
         flat.append(stays)
@@ -125,7 +129,7 @@ def test_what_decides_between_the_ways() -> None:
     assert slides_straight(shape, work, y)
     y[V], y[V + 1] = 0.1 * shape.limits.turning, 0.0
     assert slides_straight(shape, work, y)  # so slow that friction opposes the slip as it began
-    work.slip[1] = 0.0, 1.0
+    work.touches[1].slip_x, work.touches[1].slip_y = 0.0, 1.0
     assert not slides_straight(shape, work, y)
     turning = sliding("box", 0.1, rng, 1e-12)
     assert not slides_straight(*turning, turning[1].state)

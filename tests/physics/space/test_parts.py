@@ -9,10 +9,10 @@ import pytest
 
 from shaketable import General, Solid, Surroundings, Wall
 from shaketable.models.solid_input import shapes_of
+from shaketable.physics.space.impact import strike
 from shaketable.physics.space.run import cannot_fall, place
 from shaketable.physics.space.settling import creep
 from shaketable.physics.space.step import Pull
-from shaketable.physics.space.together import strike_touches
 from shaketable.physics.space.touches import gather_touches
 from shaketable.physics.space.vectors import Vec
 from shaketable.physics.space.walls import stand_at_walls
@@ -37,7 +37,7 @@ def test_an_impact_takes_a_share_of_a_wall_s_restitution(share: float) -> None:
     work.state[V] = 0.7
     work.trial[:] = work.state
     assert gather_touches(shape, work, shape.limits.landing, shape.limits.settle, 0.0) > 0
-    strike_touches(shape, work, share, 0.0)
+    strike(shape, work, share, 0.0)
     assert work.state[V : V + 3] == pytest.approx(
         [-share * 0.8 * 0.7, 0.0, 0.0], abs=1e-10
     )  # where sweeps of the impact end

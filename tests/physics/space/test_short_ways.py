@@ -9,10 +9,12 @@ import pytest
 
 from shaketable import General, Solid
 from shaketable.models.solid_input import shapes_of
+from shaketable.physics.space.closing import close_all
 from shaketable.physics.space.constraints import react
 from shaketable.physics.space.contacts import axes_at, find_rim
 from shaketable.physics.space.modes import arrange
 from shaketable.physics.space.short_ways import slip, slip_on_two
+from shaketable.physics.space.touches import add_near, begin_list
 from shaketable.physics.space.vectors import Vec
 from shaketable.physics.space.workspace import (
     CORNER,
@@ -52,8 +54,10 @@ def test_slips_are_those_of_any_contact(name: str, points: tuple[int, ...] | Non
         state[Q : Q + 4] = 1.0, *(0.2 * rng.normal(size=3))
         state[Q : Q + 4] /= np.linalg.norm(state[Q : Q + 4])
         work.state[:] = state
-        work.closed[: len(closed)] = closed
-        work.mode.closed = len(closed)
+        begin_list(work)
+        for point in closed:
+            add_near(work, point)
+        close_all(shape, work)
         arrange(shape, work, SLIPS, -1)
         assert work.mode.kind == (CORNER if len(closed) == 1 else EDGE)
         q = axes_at(work.state)
@@ -62,11 +66,12 @@ def test_slips_are_those_of_any_contact(name: str, points: tuple[int, ...] | Non
         f = Vec(*rng.normal(size=2), -9.8)
         short = slip if len(closed) == 1 else slip_on_two
         linear, turn = short(shape, work, q, work.state, f)
-        shares = work.shares[: len(closed)].copy()
-        work.shares[:] = 0.0
+        shares = work.touches["share"][: len(closed)].copy()
+        work.touches["share"] = 0.0
         expected_linear, expected_turn = react(shape, work, q, work.state, f)
         assert np.abs(shares).max() > 0.1
         # of accelerations up to some hundred, and systems whose condition is below 1e3
         np.testing.assert_allclose(linear, expected_linear, rtol=0.0, atol=1e-9)
         np.testing.assert_allclose(turn, expected_turn, rtol=0.0, atol=1e-9)
-        np.testing.assert_allclose(work.shares[: len(closed)], shares, rtol=0.0, atol=1e-9)
+        found = work.touches["share"][: len(closed)]
+        np.testing.assert_allclose(found, shares, rtol=0.0, atol=1e-9)

@@ -13,17 +13,20 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.choice import choose_on_support
-from shaketable.physics.space.complementarity import MAX_UNCONVERGED
+from shaketable.physics.space.closing import close_carrying
+from shaketable.physics.space.complementarity import (
+    MAX_UNCONVERGED,
+    push_together,
+    write_free,
+)
 from shaketable.physics.space.constraints import free_turning
 from shaketable.physics.space.contacts import axes_at, lies_on_rim
 from shaketable.physics.space.edge import has_edge
-from shaketable.physics.space.losses import resistance
+from shaketable.physics.space.holding import try_holding_touches
 from shaketable.physics.space.modes import lay_ring, stand_on_rim
 from shaketable.physics.space.rates import rates
 from shaketable.physics.space.straps import with_straps
-from shaketable.physics.space.together import balance_touches, try_holding_touches
 from shaketable.physics.space.touches import (
-    add_touch,
     drop_touch,
     frame_of,
     gather_touches,
@@ -74,7 +77,7 @@ FIRST_SWEEPS, MORE_SWEEPS, ROUNDS, FEWER_ROUNDS = 20, 4, 3, 1
 @routine
 def choose(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     """Find and begin the mode that follows, for the points on the support (`near`) and walls."""
-    within, near = shape.limits.landing, work.mode.near
+    within = shape.limits.landing
     if not touches_more(shape) or (
         gather_touches(shape, work, within, shape.limits.leaving, 0.0) == 0
     ):
@@ -90,7 +93,6 @@ def choose(shape: SolidParameters, work: Workspace, f: Vec) -> None:
         return
     for j in range(STATE):
         work.state[j] = work.kept_state[j]
-    work.mode.near = near
     gather_touches(shape, work, within, shape.limits.leaving, 0.0)
     choose_together(shape, work, f)
 
@@ -117,7 +119,7 @@ def choose_together(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     """
     q = axes_at(work.state)
     face_wall(shape, work, q)
-    note_moving(shape, work, q, shape.limits.slow)
+    note_moving(shape, work, q, work.mode.touches, shape.limits.slow)
     for place in range(work.mode.touches):
         work.touches[place].carries = PRESSES
     if try_letting_slip(shape, work, q, f):
@@ -125,16 +127,16 @@ def choose_together(shape: SolidParameters, work: Workspace, f: Vec) -> None:
         drop_leaving(shape, work, q)
         begin_beside(shape, work, f, still_at(shape, work, q))
         return
-    note_moving(shape, work, q, shape.limits.slow)
+    note_moving(shape, work, q, work.mode.touches, shape.limits.slow)
     if nothing_moves(shape, work, q) and try_holding(shape, work, q, f):
         stop_slow(shape, work, q)
         begin_beside(shape, work, f, True)
         return
     for place in range(work.mode.touches):
-        put(work.shares[place], 0, ZERO)
+        put(work.touches[place].share, 0, ZERO)
     sweeps, found = FIRST_SWEEPS, False
     for _ in range(ROUNDS if work.tally.fallbacks < MAX_UNCONVERGED else FEWER_ROUNDS):
-        converged = push_together(shape, work, q, f, sweeps)
+        converged = push_together(shape, work, q, f, work.mode.touches, sweeps)
         found = try_found_forces(shape, work, q, f)
         if found or converged:
             break
@@ -144,10 +146,10 @@ def choose_together(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     if not found:
         work.tally.fallbacks += 1.0
         if try_stopping_slips(shape, work, q):
-            note_moving(shape, work, q, shape.limits.slow)
+            note_moving(shape, work, q, work.mode.touches, shape.limits.slow)
             found = try_letting_slip(shape, work, q, f)
             if not found:
-                push_together(shape, work, q, f, FIRST_SWEEPS)
+                push_together(shape, work, q, f, work.mode.touches, FIRST_SWEEPS)
                 try_found_forces(shape, work, q, f)
     stop_slow(shape, work, q)
     drop_leaving(shape, work, q)
@@ -155,7 +157,7 @@ def choose_together(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     for place in range(work.mode.touches):
         walls += plane_of(work, place) > 0
     if walls == 0:
-        note_support(shape, work)
+        tip_on_rim(shape, work)
         choose_on_support(shape, work, f)
         return
     begin_beside(shape, work, f, still_at(shape, work, q))
@@ -188,16 +190,17 @@ def try_found_forces(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -
     """
     n = work.mode.touches
     write_rates_of_all(shape, work, q, f)
-    note_moving(shape, work, q, shape.limits.slow)
+    note_moving(shape, work, q, work.mode.touches, shape.limits.slow)
     let_slip(shape, work, q)
     for place in range(n):
-        work.touches[place].carries = PRESSES if work.shares[place, 2] > SLACK else MAY_PRESS
-        put(work.found[place], 0, vec(work.shares[place], 0))
+        touch = work.touches[place]
+        touch.carries = PRESSES if touch.share[2] > SLACK else MAY_PRESS
+        put(touch.found, 0, vec(touch.share, 0))
     if still_at(shape, work, q):  # these reactions hold it
         return True
     found = try_letting_slip(shape, work, q, f)
     for place in range(n):
-        put(work.shares[place], 0, vec(work.found[place], 0))
+        put(work.touches[place].share, 0, vec(work.touches[place].found, 0))
     return found
 
 
@@ -271,26 +274,6 @@ def write_rates_of_all(shape: SolidParameters, work: Workspace, q: Axes, f: Vec)
 
 
 @routine
-def push_together(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, sweeps: int) -> bool:
-    """Find the forces of all touches in so many sweeps; they begin with what they were."""
-    write_free(shape, work, q, f)
-    resists = resistance(shape, q, vec(work.state, W))
-    return balance_touches(shape, work, True, resists, sweeps)
-
-
-@routine
-def write_free(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> None:
-    """Write what the accelerations of the touches would be without reactions."""
-    y = work.state
-    f = with_straps(shape, work, f)
-    spin = vec(y, W)
-    free = free_turning(shape, work, spin)
-    for place in range(work.mode.touches):
-        put(work.free[place], 0, touch_acceleration(work, q, y, f, free, place))
-        work.goal[place] = 0.0
-
-
-@routine
 def stop_slow(shape: SolidParameters, work: Workspace, q: Axes) -> None:
     """End what is left of a slip where one sticks, with all that touches in its place.
 
@@ -304,12 +287,12 @@ def stop_slow(shape: SolidParameters, work: Workspace, q: Axes) -> None:
     if not slips:
         return
     for place in range(work.mode.touches):
-        work.found_carries[place] = work.touches[place].carries
+        work.touches[place].carried = work.touches[place].carries
         work.touches[place].carries = PRESSES
     write_mode(shape, work, q)
     put_back_at_walls(shape, work, work.state)
     for place in range(work.mode.touches):
-        work.touches[place].carries = work.found_carries[place]
+        work.touches[place].carries = work.touches[place].carried
 
 
 @routine
@@ -329,18 +312,14 @@ def drop_leaving(shape: SolidParameters, work: Workspace, q: Axes) -> None:
 
 
 @routine
-def note_support(shape: SolidParameters, work: Workspace) -> None:
-    """Note the touches on the support (`near`, `closed`); a tipping circle gets its rim there."""
-    n, ring, x, y = 0, 0, 0.0, 0.0
+def tip_on_rim(shape: SolidParameters, work: Workspace) -> None:
+    """Let a circle that has left a part of its ring stand on its rim there."""
+    ring, x, y = 0, 0.0, 0.0
     for place in range(work.mode.touches):
-        if plane_of(work, place) == 0:
-            point = point_of(work, place)
-            work.near[n] = work.closed[n] = point
-            n += 1
-            if point < shape.contacts:
-                ring += 1
-                x, y = x + work.points[point].x, y + work.points[point].y
-    work.mode.near = work.mode.closed = n
+        point = point_of(work, place)
+        if plane_of(work, place) == 0 and point < shape.contacts:
+            ring += 1
+            x, y = x + work.points[point].x, y + work.points[point].y
     size = math.sqrt(x * x + y * y)
     lies = shape.contacts  # where it lies flat, less what is past the edge of the support
     for point in range(shape.contacts if has_edge(shape) else 0):
@@ -354,12 +333,11 @@ def note_support(shape: SolidParameters, work: Workspace) -> None:
             else:
                 place += 1
         stand_on_rim(shape, work, x / size, y / size)
-        work.near[0], work.mode.near = shape.contacts, 1
-        add_touch(work, 0, shape.contacts)
         work.touches[work.mode.touches - 1].carries = MAY_PRESS
+        work.mode.near = 1 if work.mode.touches == 1 else 0
         q = axes_at(work.state)
         look_at_touches(shape, work, q, work.state)
-        note_moving(shape, work, q, shape.limits.slipping)
+        note_moving(shape, work, q, work.mode.touches, shape.limits.slipping)
 
 
 @routine
@@ -369,8 +347,9 @@ def begin_beside(shape: SolidParameters, work: Workspace, f: Vec, still: bool) -
     Args:
         still: whether the reactions that were found hold it, if the rows alone do not.
     """
-    note_support(shape, work)
+    tip_on_rim(shape, work)
     write_mode(shape, work, axes_at(work.state))
+    close_carrying(shape, work)
     work.mode.kind, work.mode.grip = WALLED, SLIPS
     put_back_at_walls(shape, work, work.state)
     q = axes_at(work.state)

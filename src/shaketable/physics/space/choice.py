@@ -13,28 +13,28 @@ import math
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.closing import (
     close_all,
+    close_one,
     close_side,
     close_with_rim,
-    is_closed,
+    end_closed,
+    is_place_closed,
     rim_is_near,
 )
-from shaketable.physics.space.complementarity import balance, summed
-from shaketable.physics.space.constraints import free_turning
+from shaketable.physics.space.complementarity import moved_at, push_together, sweeps_left
+from shaketable.physics.space.cones import split_along
 from shaketable.physics.space.contacts import (
     acceleration,
-    arm,
     axes_at,
-    drift,
     lies_on_rim,
+    on_rim,
     side_direction,
-    velocity,
 )
 from shaketable.physics.space.grip import ITERATIONS, flat_grip, slip_with_grip
-from shaketable.physics.space.losses import resistance
-from shaketable.physics.space.modes import arrange, enter, stand_on_rim, take_rim
-from shaketable.physics.space.rates import limit, rates
+from shaketable.physics.space.modes import arrange, enter, fly, stand_on_rim, take_rim
+from shaketable.physics.space.rates import rates
 from shaketable.physics.space.straps import with_straps
-from shaketable.physics.space.vectors import Axes, Vec, add, cross, on_support
+from shaketable.physics.space.touches import look_at_touches, note_moving
+from shaketable.physics.space.vectors import ZERO, Axes, Vec, on_support
 from shaketable.physics.space.workspace import (
     CORNER,
     FLAT,
@@ -44,8 +44,8 @@ from shaketable.physics.space.workspace import (
     STICKS,
     SolidParameters,
     V,
-    W,
     Workspace,
+    put,
     vec,
 )
 
@@ -55,33 +55,16 @@ BACKWARD_SLIP_TOLERANCE = 1e-6
 
 
 @routine
-def note_slip(shape: SolidParameters, work: Workspace, q: Axes, least: float) -> int:
-    """Write which of the points on the support slip faster, and along what; return how many."""
-    moving = 0
-    for k in range(work.mode.near):
-        point = work.near[k]
-        u = velocity(shape, work, q, work.state, point)
-        speed = math.sqrt(u.x * u.x + u.y * u.y)
-        work.moving[point] = speed > least and work.points[point].static < math.inf
-        if work.moving[point]:
-            moving += 1
-            work.slip[point, 0] = u.x / speed
-            work.slip[point, 1] = u.y / speed
-    return moving
-
-
-@routine
 def judge_mode(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     """Judge whether the mode that is written presses, holds, and lets no other point sink."""
     dy = work.stages[0]
     rates(shape, work, work.state, f, True, dy)
     if not (work.judged.press >= -SLACK and work.judged.cone >= -SLACK):
         return False
-    for k in range(work.mode.near):
-        point = work.near[k]
-        if is_closed(work, point):
+    for place in range(work.mode.near):
+        if is_place_closed(work, place):
             continue
-        if acceleration(shape, work, q, work.state, dy, point).z < -SLACK:
+        if acceleration(shape, work, q, work.state, dy, work.touches[place].point).z < -SLACK:
             return False
     return True
 
@@ -90,11 +73,11 @@ def judge_mode(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool
 def hold_of(work: Workspace) -> int:
     """What the closed points do: all slip, one sticks, or all stick; the first one that sticks."""
     stuck, first = 0, -1
-    for place in range(work.mode.closed):
-        if not work.moving[work.closed[place]]:
+    for k in range(work.mode.closed):
+        if not work.touches[work.closed[k]].moves:
             stuck += 1
             if first < 0:
-                first = work.closed[place]
+                first = work.closed[k]
     if stuck == 0:
         return -1
     return first if stuck == 1 and work.mode.closed > 1 else -2
@@ -113,7 +96,7 @@ def arrange_moving(shape: SolidParameters, work: Workspace) -> None:
 @routine
 def try_simple(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     """Look for an admissible mode of points that move as they do."""
-    close_all(work)
+    close_all(shape, work)
     arrange_moving(shape, work)
     if judge_mode(shape, work, q, f):
         return True
@@ -133,8 +116,7 @@ def try_simple(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool
                 return True
     if work.mode.near > 1:
         for k in range(work.mode.near):
-            work.closed[0] = work.near[k]
-            work.mode.closed = 1
+            close_one(shape, work, k)
             arrange_moving(shape, work)
             if judge_mode(shape, work, q, f):
                 return True
@@ -148,20 +130,20 @@ def try_rim(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
         pull = with_straps(shape, work, f)
         back = Vec(pull.x, pull.y, 0.0)
     else:
+        first = work.touches[0]
         mu = work.points[shape.contacts].kinetic
-        first = work.near[0]
-        back = Vec(mu * work.slip[first, 0], mu * work.slip[first, 1], 0.0)
+        back = Vec(mu * first.slip_x, mu * first.slip_y, 0.0)
     along = q.x.x * back.x + q.y.x * back.y
     across = q.x.y * back.x + q.y.y * back.y
     size = math.sqrt(along * along + across * across)
     if size == 0.0:
         return False
-    last, first = shape.contacts, work.near[0]
-    work.moving[last] = work.moving[first]
-    work.slip[last, 0], work.slip[last, 1] = work.slip[first, 0], work.slip[first, 1]
     stand_on_rim(shape, work, along / size, across / size)
     arrange_moving(shape, work)
-    return judge_mode(shape, work, q, f)
+    if judge_mode(shape, work, q, f):
+        return True
+    work.mode.touches -= 1  # the rim
+    return False
 
 
 @routine
@@ -169,14 +151,13 @@ def try_slide(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     """Try whether a body at rest begins to slide with its whole base, without turning."""
     pull = with_straps(shape, work, f)
     size = math.sqrt(pull.x * pull.x + pull.y * pull.y)
-    close_all(work)
+    close_all(shape, work)
     if size == 0.0 or not shape.uniform:
         return False
-    for k in range(work.mode.near):
-        point = work.near[k]
-        work.moving[point] = 1
-        work.slip[point, 0] = pull.x / size
-        work.slip[point, 1] = pull.y / size
+    for place in range(work.mode.near):
+        touch = work.touches[place]
+        touch.moves = 1
+        touch.slip_x, touch.slip_y = pull.x / size, pull.y / size
     arrange(shape, work, SLIPS, 0)
     found = (
         work.mode.kind == FLAT
@@ -184,98 +165,74 @@ def try_slide(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
         and work.stages[0, V] * pull.x + work.stages[0, V + 1] * pull.y >= 0.0
     )
     if not found:
-        for k in range(work.mode.near):
-            work.moving[work.near[k]] = 0
+        for place in range(work.mode.near):
+            work.touches[place].moves = 0
     return found
 
 
 @routine
 def try_side_slip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, moving: int) -> bool:
     """Try whether a side on which a body rocks begins to slip, at both corners or at one."""
-    close_all(work)
+    close_all(shape, work)
     first, second = work.closed[0], work.closed[1]
     if moving == 1:  # one slips already
-        begins = second if work.moving[first] else first
+        begins = second if work.touches[first].moves else first
         arrange_moving(shape, work)
         rates(shape, work, work.state, f, True, work.stages[0])
-        opposes_share(work, 0 if begins == first else 1)
+        oppose_share(work, begins)
         return try_slip_of_side(shape, work, q, f, begins, -1)
     arrange(shape, work, STICKS, 0)
     rates(shape, work, work.state, f, True, work.stages[0])
-    slipping = split_along(shape, work, q)
-    opposes_share(work, 0)
-    opposes_share(work, 1)
+    e = on_support(q, side_direction(shape, work))
+    begins = split_along(work, work.mode.first, work.mode.last, work.judged.along, e.x, e.y)
+    oppose_share(work, first)
+    oppose_share(work, second)
     if try_slip_of_side(shape, work, q, f, first, second):
         return True
-    begins = work.closed[slipping]  # the one that has less friction left, or the other
-    stays = work.closed[1 - slipping]
+    stays = first if begins == second else second
+    # the one that has less friction left, or the other
     return try_slip_of_side(shape, work, q, f, begins, -1) or try_slip_of_side(
         shape, work, q, f, stays, -1
     )
 
 
 @kernel
-def opposes_share(work: Workspace, place: int) -> None:
-    """Aim the slip of a closed place against the friction that it would need to stick."""
-    point, x, y = work.closed[place], work.shares[place, 0], work.shares[place, 1]
+def oppose_share(work: Workspace, place: int) -> None:
+    """Aim the slip of a touch against the friction that it would need to stick."""
+    touch = work.touches[place]
+    x, y = touch.share[0], touch.share[1]
     size = math.sqrt(x * x + y * y)
-    if size > 0.0:
-        work.slip[point, 0], work.slip[point, 1] = -x / size, -y / size
-    else:
-        work.slip[point, 0], work.slip[point, 1] = 1.0, 0.0
+    touch.slip_x, touch.slip_y = (-x / size, -y / size) if size > 0.0 else (1.0, 0.0)
 
 
 @routine
 def try_slip_of_side(
     shape: SolidParameters, work: Workspace, q: Axes, f: Vec, first: int, second: int
 ) -> bool:
-    """Whether one point, or two, may begin to slip; nothing moves that did not if they may not."""
-    work.moving[first] = 1
+    """Whether one touch, or two, may begin to slip; nothing moves that did not if they may not."""
+    work.touches[first].moves = 1
     if second >= 0:
-        work.moving[second] = 1
+        work.touches[second].moves = 1
     arrange_moving(shape, work)
     if judge_mode(shape, work, q, f) and sets_off(shape, work, q, first, second):
         return True
-    work.moving[first] = 0
+    work.touches[first].moves = 0
     if second >= 0:
-        work.moving[second] = 0
+        work.touches[second].moves = 0
     return False
 
 
 @routine
-def split_along(shape: SolidParameters, work: Workspace, q: Axes) -> int:
-    """Add to the shares of a side's corners their parts of the force along it.
-
-    The parts are as the friction that each corner has left; returns the place of the one with less.
-    """
-    e = on_support(q, side_direction(shape, work))
-    first, last = spare_along(work, 0), spare_along(work, 1)
-    part = first / (first + last) if first + last > 0.0 else 0.5
-    for place in range(2):
-        own = work.shares[2, 0] * (part if place == 0 else 1.0 - part)
-        work.shares[place, 0] += own * e.x
-        work.shares[place, 1] += own * e.y
-    return 1 if last < first else 0
-
-
-@kernel
-def spare_along(work: Workspace, place: int) -> float:
-    """Friction that a side's corner has left for a force along the side."""
-    share = work.shares[place]
-    most = limit(work.points[work.closed[place]].static, max(share[2], 0.0))
-    return math.sqrt(max(most * most - share[0] * share[0] - share[1] * share[1], 0.0))
-
-
-@routine
 def sets_off(shape: SolidParameters, work: Workspace, q: Axes, first: int, second: int) -> bool:
-    """Whether points that begin to slip are accelerated in the direction of their slip.
+    """Whether touches that begin to slip are accelerated in the direction of their slip.
 
     As they begin their friction is all that they need to stick, and they are hardly accelerated.
     """
-    for point in (first, second):
-        if point >= 0:
-            a = acceleration(shape, work, q, work.state, work.stages[0], point)
-            if a.x * work.slip[point, 0] + a.y * work.slip[point, 1] < -BACKWARD_SLIP_TOLERANCE:
+    for place in (first, second):
+        if place >= 0:
+            touch = work.touches[place]
+            a = acceleration(shape, work, q, work.state, work.stages[0], touch.point)
+            if a.x * touch.slip_x + a.y * touch.slip_y < -BACKWARD_SLIP_TOLERANCE:
                 return False
     return True
 
@@ -294,39 +251,23 @@ def try_grip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
 
 @routine
 def solve_together(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
-    """Let all points decide together; False if no reactions could be found."""
-    close_all(work)
-    f = with_straps(shape, work, f)
-    spin = vec(work.state, W)
-    free_turn = free_turning(shape, work, spin)
-    n = work.mode.closed
-    for place in range(n):
-        r = arm(shape, work, work.closed[place])
-        own = add(cross(spin, r), drift(shape, work, work.closed[place]))
-        a = add(f, on_support(q, add(cross(free_turn, r), cross(spin, own))))
-        work.free[place, 0], work.free[place, 1], work.free[place, 2] = a.x, a.y, a.z
-        work.goal[place] = 0.0
-    resists = resistance(shape, q, spin)
-    found = balance(shape, work, q, True, resists)
-    linear, turn = summed(shape, work, q, resists)
-    kept = 0
-    for place in range(n):
-        point = work.near[place]
-        r = arm(shape, work, point)
-        a = add(vec(work.free[place], 0), add(linear, on_support(q, cross(turn, r))))
+    """Let all points on the support decide together; False if no reactions could be found."""
+    look_at_touches(shape, work, q, work.state)
+    for place in range(work.mode.near):
+        put(work.touches[place].share, 0, ZERO)
+    found = push_together(shape, work, q, f, work.mode.near, sweeps_left(work))
+    linear, turn, kept = vec(work.change, 0), vec(work.change, 3), 0
+    for place in range(work.mode.near):
+        touch, a = work.touches[place], moved_at(work, place, linear, turn)
         if a.z > shape.limits.starting:
             continue
-        work.closed[kept] = point
+        work.closed[kept] = place
         kept += 1
         along = math.sqrt(a.x * a.x + a.y * a.y)
-        if (
-            not work.moving[point]
-            and along > shape.limits.starting
-            and work.points[point].static < math.inf
-        ):
-            work.moving[point] = 1
-            work.slip[point, 0], work.slip[point, 1] = a.x / along, a.y / along
-    work.mode.closed = kept
+        if not touch.moves and along > shape.limits.starting and touch.static < math.inf:
+            touch.moves = 1
+            touch.slip_x, touch.slip_y = a.x / along, a.y / along
+    end_closed(shape, work, kept)
     arrange_moving(shape, work)
     return found
 
@@ -335,14 +276,14 @@ def solve_together(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
 def choose_on_support(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     """Find and begin the mode that follows, for the points on the support (`near`)."""
     if work.mode.near == 0:
-        work.mode.closed = 0
-        arrange(shape, work, SLIPS, 0)
+        fly(shape, work)
         return
     q = axes_at(work.state)
-    moving = note_slip(shape, work, q, shape.limits.slow)
+    moving = note_moving(shape, work, q, work.mode.near, shape.limits.slow)
     found = try_simple(shape, work, q, f)
     if not found:
-        faster, moving = moving, note_slip(shape, work, q, shape.limits.slipping)
+        faster = moving
+        moving = note_moving(shape, work, q, work.mode.near, shape.limits.slipping)
         found = moving > faster and try_simple(shape, work, q, f)
     if not found and moving == 0 and work.mode.near > 2:
         found = try_slide(shape, work, q, f)
@@ -355,14 +296,10 @@ def choose_on_support(shape: SolidParameters, work: Workspace, f: Vec) -> None:
         if not found:
             work.tally.fallbacks += 1.0
             if shape.least_static == math.inf:  # it can neither slip nor leave: it stays
-                close_all(work)
+                close_all(shape, work)
                 arrange(shape, work, STICKS, 0)
-    if lies_on_rim(shape) and work.mode.kind not in (FLAT, FLIGHT):
-        first = work.closed[0]
-        if not (work.mode.kind == CORNER and first == shape.contacts):
-            take_rim(shape, work)
-            last = shape.contacts
-            work.moving[last] = work.moving[first]
-            work.slip[last, 0], work.slip[last, 1] = work.slip[first, 0], work.slip[first, 1]
-            arrange_moving(shape, work)
+    rolls = work.mode.kind == CORNER and on_rim(work)
+    if lies_on_rim(shape) and work.mode.kind not in (FLAT, FLIGHT) and not rolls:
+        take_rim(shape, work)
+        arrange_moving(shape, work)
     enter(shape, work)

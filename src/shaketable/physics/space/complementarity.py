@@ -1,9 +1,10 @@
-"""Reactions of all closed points together, where no simple mode is admissible.
+"""Reactions of all touches together: forces, and impulses.
 
-Signorini's condition and Coulomb's disc at each point, solved one point after the other until
-nothing changes (a nonlinear block Gauss-Seidel; Jourdan, Alart & Jean 1998), each point exactly.
-The same for forces, where `free` is what the accelerations of the points would be without
-reactions, and for impulses, where it is their velocities.
+Signorini's condition and Coulomb's disc at each touch, solved one touch after the other until
+nothing changes (a nonlinear block Gauss-Seidel; Jourdan, Alart & Jean 1998), each exactly. The same
+for forces, where `free` is what the accelerations of the touches would be without reactions, and
+for impulses, where it is their velocities. Both are along each touch's frame; sums are in the
+body's frame, in which the levers stand still.
 """
 
 from __future__ import annotations
@@ -11,7 +12,10 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.contacts import arm
+from shaketable.physics.space.constraints import free_turning
+from shaketable.physics.space.losses import resistance
+from shaketable.physics.space.straps import with_straps
+from shaketable.physics.space.touches import frame_of, lever_of, plane_of, touch_acceleration
 from shaketable.physics.space.vectors import (
     Axes,
     Sym,
@@ -19,6 +23,7 @@ from shaketable.physics.space.vectors import (
     add,
     applied,
     cross,
+    dot,
     inverse,
     on_body,
     on_support,
@@ -27,6 +32,7 @@ from shaketable.physics.space.vectors import (
 )
 from shaketable.physics.space.workspace import (
     SolidParameters,
+    W,
     Workspace,
     put,
     vec,
@@ -37,28 +43,30 @@ from shaketable.physics.space.workspace import (
 SWEEPS = 500
 #: After so many solves of a run that did not converge, limit later ones to so many sweeps.
 MAX_UNCONVERGED, FEWER_SWEEPS = 100.0, 50
-CONVERGED_FORCES, CONVERGED = 1e-9, 1e-11  # of the largest acceleration or velocity
-DIRECTIONS = 24  # tried for the slip of a point, before the best are refined
+SOON = 24  # sweeps, after which each touch is solved exactly
+CONVERGED_FORCES, CONVERGED = 1e-8, 1e-11  # of the largest acceleration or velocity
+DIRECTIONS = 24  # tried for the slip of a touch, before the best are refined
 REFINEMENTS = 60
 TURN = 2.0 * math.pi / DIRECTIONS
 
 
 @kernel
-def response(shape: SolidParameters, q: Axes, r: Vec, at: Vec, reaction: Vec) -> Vec:
-    """The change at the point `at` from a reaction per unit mass at r, both in the support's frame.
+def own_response(shape: SolidParameters, frame: Axes, r: Vec) -> Sym:
+    """The change at a touch from its own reaction per unit mass, along its frame.
 
     It is an acceleration [m/s²] for a force, and a velocity [m/s] for an impulse.
     """
-    turn = applied(shape.mobility, cross(r, on_body(q, reaction)))
-    return add(reaction, on_support(q, cross(turn, at)))
+    x, y, z = response(shape, frame.x, r), response(shape, frame.y, r), response(shape, frame.z, r)
+    return Sym(
+        dot(frame.x, x), dot(frame.y, y), dot(frame.z, z),
+        dot(frame.x, y), dot(frame.x, z), dot(frame.y, z),
+    )  # fmt: skip
 
 
 @kernel
-def own_response(shape: SolidParameters, q: Axes, r: Vec) -> Sym:
-    x = response(shape, q, r, r, Vec(1.0, 0.0, 0.0))
-    y = response(shape, q, r, r, Vec(0.0, 1.0, 0.0))
-    z = response(shape, q, r, r, Vec(0.0, 0.0, 1.0))
-    return Sym(x.x, y.y, z.z, x.y, x.z, y.z)
+def response(shape: SolidParameters, reaction: Vec, r: Vec) -> Vec:
+    """The change at r from a reaction per unit mass there, all in the body's frame."""
+    return add(reaction, cross(applied(shape.mobility, cross(r, reaction)), r))
 
 
 @kernel
@@ -149,77 +157,162 @@ def one_reaction(
 
 
 @routine
-def balance(shape: SolidParameters, work: Workspace, q: Axes, forces: bool, resists: Vec) -> bool:
-    """Find the reactions of all closed points; return whether they converged.
+def soon_reaction(
+    own: Sym, free: Vec, goal: float, static: float, kinetic: float, before: Vec
+) -> Vec:
+    """Nearly what `one_reaction` finds, and it where nothing changes any more; N < 0 for none.
 
-    Takes `free`, the change without reactions, and `goal`, the least normal component afterwards,
-    of each closed place; writes the reactions to `shares`.
-
-    Args:
-        forces: True for accelerations [m/s²], where a point that already slips keeps its
-            direction; False for velocities [m/s].
-        resists: the torque against rolling and drilling for a unit of pressure. A point's is found
-            with the pressure that it had in the sweep before: the torque is small beside it.
+    A slip's direction is halfway between the one before and that of the slip which follows from
+    friction against it; this twice.
     """
-    n = work.mode.closed
-    largest = 0.0
-    for place in range(n):
-        r = arm(shape, work, work.closed[place])
-        own = own_response(shape, q, r)
-        local = work.local[place]
-        local[0], local[1], local[2] = own.xx, own.yy, own.zz
-        local[3], local[4], local[5] = own.xy, own.xz, own.yz
-        put(work.shares[place], 0, Vec(0.0, 0.0, 0.0))
-        for j in range(3):
-            largest = max(largest, abs(work.free[place, j]))
-    linear, turn = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
-    close = (CONVERGED_FORCES if forces else CONVERGED) * largest
-    for _ in range(SWEEPS if work.tally.fallbacks < MAX_UNCONVERGED else FEWER_SWEEPS):
-        change = 0.0
-        for place in range(n):
-            point = work.closed[place]
-            r = arm(shape, work, point)
-            local = work.local[place]
-            own = Sym(local[0], local[1], local[2], local[3], local[4], local[5])
-            before = vec(work.shares[place], 0)
-            now = add(vec(work.free[place], 0), add(linear, on_support(q, cross(turn, r))))
-            free = subtract(now, applied(own, before))
-            goal = work.goal[place]
-            static, kinetic = work.points[point].static, work.points[point].kinetic
-            if forces and work.moving[point]:
-                after = Vec(0.0, 0.0, 0.0)
-                if free.z < goal:
-                    after = slipping(
-                        own, free, goal, kinetic, work.slip[point, 0], work.slip[point, 1]
-                    )
-                    if (
-                        after.z < 0.0
-                    ):  # no sliding reaction presses (Painlevé): take the frictionless one
-                        after = slipping(own, free, goal, 0.0, 1.0, 0.0)
-            else:
-                after = one_reaction(own, free, goal, static, kinetic, before)
-            put(work.shares[place], 0, after)
-            difference = subtract(after, before)
-            linear = add(linear, difference)
-            torque = add(cross(r, on_body(q, difference)), times(difference.z, resists))
-            turn = add(turn, applied(shape.mobility, torque))
-            effect = applied(own, difference)
-            change = max(change, abs(effect.x), abs(effect.y), abs(effect.z))
-        if change <= close:
-            return True
-    return False
+    if free.z >= goal:
+        return Vec(0.0, 0.0, 0.0)
+    held = applied(inverse(own), Vec(-free.x, -free.y, goal - free.z))
+    size = math.sqrt(held.x * held.x + held.y * held.y)
+    if held.z >= 0.0 and (static == math.inf or size <= static * held.z):
+        return held
+    x, y = -before.x, -before.y
+    size = math.sqrt(x * x + y * y)
+    if size == 0.0:
+        x, y = free.x, free.y
+        size = math.sqrt(x * x + y * y)
+    after = Vec(0.0, 0.0, -1.0)
+    if kinetic == math.inf:
+        return after
+    for _ in range(2):
+        if size == 0.0:
+            return Vec(0.0, 0.0, -1.0)
+        after = slipping(own, free, goal, kinetic, x / size, y / size)
+        if after.z < 0.0:
+            return after
+        u = add(free, applied(own, after))
+        speed = math.sqrt(u.x * u.x + u.y * u.y)
+        if speed == 0.0:
+            return Vec(0.0, 0.0, -1.0)
+        x, y = x / size + u.x / speed, y / size + u.y / speed  # halfway: it might alternate
+        size = math.sqrt(x * x + y * y)
+    return after
+
+
+@routine
+def write_own(shape: SolidParameters, work: Workspace, place: int) -> None:
+    """Write the response of a touch to its own reaction."""
+    found = own_response(shape, frame_of(work, place), lever_of(work, place))
+    own = work.touches[place].own
+    own[0], own[1], own[2] = found.xx, found.yy, found.zz
+    own[3], own[4], own[5] = found.xy, found.xz, found.yz
 
 
 @kernel
-def summed(shape: SolidParameters, work: Workspace, q: Axes, resists: Vec) -> tuple[Vec, Vec]:
-    """The total change of the linear (support's frame) and angular (body's frame) velocity.
+def own_of(work: Workspace, place: int) -> Sym:
+    """The response of a touch that is written."""
+    own = work.touches[place].own
+    return Sym(own[0], own[1], own[2], own[3], own[4], own[5])
 
-    For forces it is the change of the acceleration.
+
+@kernel
+def moved_at(work: Workspace, place: int, linear: Vec, turn: Vec) -> Vec:
+    """The velocity or acceleration of a touch with a change of v and ω (body frame)."""
+    moved = add(linear, cross(turn, lever_of(work, place)))
+    return add(vec(work.touches[place].free, 0), on_support(frame_of(work, place), moved))
+
+
+@routine
+def write_free(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> None:
+    """Write what the accelerations of the touches would be without reactions."""
+    y = work.state
+    f = with_straps(shape, work, f)
+    free = free_turning(shape, work, vec(y, W))
+    for place in range(work.mode.touches):
+        put(work.touches[place].free, 0, touch_acceleration(work, q, y, f, free, place))
+        work.touches[place].goal = 0.0
+
+
+@routine
+def push_together(
+    shape: SolidParameters, work: Workspace, q: Axes, f: Vec, n: int, sweeps: int
+) -> bool:
+    """Find the forces of the first n touches in so many sweeps; they begin with what they were."""
+    write_free(shape, work, q, f)
+    resists = resistance(shape, q, vec(work.state, W))
+    return balance(shape, work, n, True, resists, sweeps)
+
+
+@kernel
+def sweeps_left(work: Workspace) -> int:
+    """How many sweeps a solve may take at the most."""
+    return SWEEPS if work.tally.fallbacks < MAX_UNCONVERGED else FEWER_SWEEPS
+
+
+@routine
+def balance(
+    shape: SolidParameters, work: Workspace, n: int, forces: bool, resists: Vec, sweeps: int
+) -> bool:
+    """Find the reactions of the first n touches; return whether they converged.
+
+    Takes `free`, the change without reactions, and `goal`, the least normal component afterwards,
+    of each touch, begins with the reactions in `share` and leaves them there. Their effect on v and
+    ω (body frame) is written to `change`.
+
+    Args:
+        forces: True for accelerations [m/s²], where a touch that already slips keeps its
+            direction; False for velocities [m/s].
+        resists: the torque against rolling and drilling for a unit of pressure on the support.
+        sweeps: at most so many.
     """
-    linear, torque = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
-    for place in range(work.mode.closed):
-        share = vec(work.shares[place], 0)
-        linear = add(linear, share)
-        torque = add(torque, cross(arm(shape, work, work.closed[place]), on_body(q, share)))
-        torque = add(torque, times(share.z, resists))
-    return linear, applied(shape.mobility, torque)
+    largest = 0.0
+    linear, turn = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
+    for place in range(n):
+        write_own(shape, work, place)
+        touch = work.touches[place]
+        linear, turn = with_reaction(shape, work, place, vec(touch.share, 0), resists, linear, turn)
+        for j in range(3):
+            largest = max(largest, abs(touch.free[j]))
+    close = (CONVERGED_FORCES if forces else CONVERGED) * largest
+    found = False
+    for sweep in range(sweeps):
+        change = 0.0
+        for place in range(n):
+            touch, own = work.touches[place], own_of(work, place)
+            before = vec(touch.share, 0)
+            free = subtract(moved_at(work, place, linear, turn), applied(own, before))
+            goal, static, kinetic = touch.goal, touch.static, touch.kinetic
+            if forces and touch.moves > 0:
+                after = Vec(0.0, 0.0, 0.0)
+                if free.z < goal:
+                    after = slipping(own, free, goal, kinetic, touch.slip_x, touch.slip_y)
+                    if after.z < 0.0:  # no sliding reaction presses (Painlevé): the frictionless
+                        after = slipping(own, free, goal, 0.0, 1.0, 0.0)
+            else:
+                after = soon_reaction(own, free, goal, static, kinetic, before)
+                if after.z < 0.0 or sweep >= SOON:
+                    after = one_reaction(own, free, goal, static, kinetic, before)
+            put(touch.share, 0, after)
+            difference = subtract(after, before)
+            linear, turn = with_reaction(shape, work, place, difference, resists, linear, turn)
+            effect = applied(own, difference)
+            change = max(change, abs(effect.x), abs(effect.y), abs(effect.z))
+        if change <= close:
+            found = True
+            break
+    put(work.change, 0, linear)
+    put(work.change, 3, turn)
+    return found
+
+
+@routine
+def with_reaction(
+    shape: SolidParameters,
+    work: Workspace,
+    place: int,
+    reaction: Vec,
+    resists: Vec,
+    linear: Vec,
+    turn: Vec,
+) -> tuple[Vec, Vec]:
+    """Changes of v and ω (body frame) with those from one more reaction, along a touch's frame."""
+    force = on_body(frame_of(work, place), reaction)
+    torque = cross(lever_of(work, place), force)
+    if plane_of(work, place) == 0:
+        torque = add(torque, times(reaction.z, resists))
+    return add(linear, force), add(turn, applied(shape.mobility, torque))

@@ -34,10 +34,8 @@ from shaketable.physics.space.workspace import (
     STICKS,
     Floats,
     SolidParameters,
-    V,
     W,
     Workspace,
-    put,
     vec,
 )
 
@@ -47,7 +45,7 @@ LINE = 1e-12  # of the spread of points: less of it across a line is none
 
 
 class Three(NamedTuple):
-    """Three of the closed places."""
+    """Three of the closed touches: which of the closed they are."""
 
     a: int
     b: int
@@ -77,28 +75,26 @@ def add_to(numbers: Floats, row: int, s: float, force: Vec, torque: Vec) -> None
 def pressure(
     shape: SolidParameters, work: Workspace, q: Axes, y: Floats, place: int, resists: Vec
 ) -> tuple[Vec, Vec]:
-    """Force and torque of a unit of pressure at a closed place, with the friction that it brings.
+    """Force and torque of a unit of pressure at a touch, with the friction that it brings.
 
     Args:
         resists: the torque against rolling and drilling (`resistance`).
     """
-    hold, point = work.mode.grip, work.closed[place]
+    hold, touch = work.mode.grip, work.touches[place]
+    point = touch.point
     r = arm(shape, work, point)
     force, torque = Vec(0.0, 0.0, 1.0), add(cross(r, q.z), resists)
-    if hold != STICKS and not (hold == PIVOTS and point == work.mode.pivot):
-        x, z = slip_direction(shape, work, point, velocity(shape, work, q, y, point))
-        mu = work.points[point].kinetic
+    if hold != STICKS and not (hold == PIVOTS and place == work.mode.pivot):
+        x, z = slip_direction(shape, work, place, velocity(shape, work, q, y, point))
+        mu = touch.kinetic
         force = Vec(-mu * x, -mu * z, 1.0)
         torque = add(torque, cross(r, add(times(-mu * x, q.x), times(-mu * z, q.y))))
     return force, torque
 
 
 @routine
-def assemble(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, friction: bool) -> int:
-    """Write rows and columns of the present mode; return how many there are.
-
-    Without friction the columns are the rows: impulses that end velocities.
-    """
+def assemble(shape: SolidParameters, work: Workspace, q: Axes, y: Floats) -> int:
+    """Write rows and columns of the present mode; return how many there are."""
     rank, hold, n = work.mode.kind, work.mode.grip, work.mode.closed
     rows, columns = work.rows, work.columns
     resists = resistance(shape, q, vec(y, W))
@@ -107,20 +103,19 @@ def assemble(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, fricti
             rows[i, j] = 0.0
             columns[i, j] = 0.0
     up = Vec(0.0, 0.0, 1.0)
-    for place in range(n):
-        torque = cross(arm(shape, work, work.closed[place]), q.z)
-        force, pull = up, torque
-        if friction:
-            force, pull = pressure(shape, work, q, y, place, resists)
+    for c in range(n):
+        touch = work.touches[work.closed[c]]
+        torque = cross(arm(shape, work, touch.point), q.z)
+        force, pull = pressure(shape, work, q, y, work.closed[c], resists)
         for j in range(rank):
-            phi = work.basis[place, j]
+            phi = touch.basis[j]
             add_to(rows, j, phi, up, torque)
-            if work.carries[place]:
+            if touch.active:
                 add_to(columns, j, phi, force, pull)
     k = rank
     if hold != SLIPS:
-        point = work.mode.pivot if hold == PIVOTS else work.closed[0]
-        r = arm(shape, work, point)
+        place = work.mode.pivot if hold == PIVOTS else work.closed[0]
+        r = arm(shape, work, work.touches[place].point)
         east, north = Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0)
         for matrix in (rows, columns):
             add_to(matrix, k, 1.0, east, cross(r, q.x))
@@ -159,14 +154,15 @@ def bias(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, k: int) ->
     """Add to the right sides what the rotation contributes to the accelerations of the rows."""
     rank, n = work.mode.kind, work.mode.closed
     spin = vec(y, W)
-    for place in range(n):
-        point = work.closed[place]
-        own = add(cross(spin, arm(shape, work, point)), drift(shape, work, point))
+    for c in range(n):
+        touch = work.touches[work.closed[c]]
+        own = add(cross(spin, arm(shape, work, touch.point)), drift(shape, work, touch.point))
         lift = dot(q.z, cross(spin, own))
         for j in range(rank):
-            work.system[j, k] -= work.basis[place, j] * lift
+            work.system[j, k] -= touch.basis[j] * lift
     if work.mode.grip != SLIPS:
-        point = work.mode.pivot if work.mode.grip == PIVOTS else work.closed[0]
+        place = work.mode.pivot if work.mode.grip == PIVOTS else work.closed[0]
+        point = work.touches[place].point
         own = add(cross(spin, arm(shape, work, point)), drift(shape, work, point))
         along = cross(spin, own)
         work.system[rank, k] -= dot(q.x, along)
@@ -181,14 +177,14 @@ def share_pressure(work: Workspace) -> bool:
     it is above zero for other points than those that z was found for, these are to carry.
     """
     rank, n, other = work.mode.kind, work.mode.closed, False
-    for place in range(n):
-        share = 0.0
+    for k in range(n):
+        touch, share = work.touches[work.closed[k]], 0.0
         for j in range(rank):
-            share += work.basis[place, j] * work.solved[j]
-        work.shares[place, 2] = share if work.carries[place] else 0.0
-        carries = 1 if share > 0.0 else 0
-        if rank == FLAT and work.carries[place] != carries:
-            work.carries[place] = carries
+            share += touch.basis[j] * work.solved[j]
+        touch.share[2] = share if touch.active else 0.0
+        active = 1 if share > 0.0 else 0
+        if rank == FLAT and touch.active != active:
+            touch.active = active
             other = True
     return other
 
@@ -198,7 +194,7 @@ def weigh(
     shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec, free_turn: Vec
 ) -> int:
     """Find the unknowns under a force; return how many there are. None react if it is singular."""
-    k = assemble(shape, work, q, y, True)
+    k = assemble(shape, work, q, y)
     fill(shape, work, k)
     for i in range(k):
         work.system[i, k] = -measured(work.rows[i], f, free_turn)
@@ -213,9 +209,10 @@ def carried(work: Workspace) -> bool:
     """Whether the points that carry a flat base span a plane: Gram's determinant of their basis."""
     n = work.mode.closed
     count, x, y, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    for place in range(n):
-        if work.carries[place]:
-            a, b = work.basis[place, 1], work.basis[place, 2]
+    for k in range(n):
+        touch = work.touches[work.closed[k]]
+        if touch.active:
+            a, b = touch.basis[1], touch.basis[2]
             count, x, y = count + 1.0, x + a, y + b
             xx, xy, yy = xx + a * a, xy + a * b, yy + b * b
     if count == 0.0:
@@ -228,9 +225,10 @@ def carried(work: Workspace) -> bool:
 def pulls(work: Workspace) -> bool:
     """Whether a point that carries a flat base is pulled by more than round-off."""
     total, least = 0.0, 0.0
-    for place in range(work.mode.closed):
-        total += work.shares[place, 2]
-        least = min(least, work.shares[place, 2])
+    for k in range(work.mode.closed):
+        share = work.touches[work.closed[k]].share[2]
+        total += share
+        least = min(least, share)
     return least < -ROUND_OFF * total
 
 
@@ -272,10 +270,10 @@ def write_effects(
     Returns: the number of constraints.
     """
     n, rank = work.mode.closed, work.mode.kind
-    k = assemble(shape, work, q, y, True)
+    k = assemble(shape, work, q, y)
     resists = resistance(shape, q, vec(y, W))
     for place in range(n):
-        force, torque = pressure(shape, work, q, y, place, resists)
+        force, torque = pressure(shape, work, q, y, work.closed[place], resists)
         turn = applied(shape.mobility, torque)
         for i in range(k):
             work.effects[place, i] = measured(work.rows[i], force, turn)
@@ -322,8 +320,7 @@ def stand_on_all(
     shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec, free_turn: Vec
 ) -> int:
     """Let all points carry a flat base, though some of them are pulled."""
-    for place in range(work.mode.closed):
-        work.carries[place] = 1
+    carry_all(work)
     k = weigh(shape, work, q, y, f, free_turn)
     share_pressure(work)
     return k
@@ -332,15 +329,21 @@ def stand_on_all(
 @kernel
 def nothing_presses(work: Workspace) -> bool:
     largest = 0.0
-    for place in range(work.mode.closed):
-        largest = max(largest, abs(work.shares[place, 2]))
+    for k in range(work.mode.closed):
+        largest = max(largest, abs(work.touches[work.closed[k]].share[2]))
     return largest == 0.0
 
 
 @kernel
 def carry(work: Workspace, three: Three) -> None:
-    for place in range(work.mode.closed):
-        work.carries[place] = 1 if place in (three.a, three.b, three.c) else 0
+    for k in range(work.mode.closed):
+        work.touches[work.closed[k]].active = 1 if k in (three.a, three.b, three.c) else 0
+
+
+@kernel
+def carry_all(work: Workspace) -> None:
+    for k in range(work.mode.closed):
+        work.touches[work.closed[k]].active = 1
 
 
 @routine
@@ -348,8 +351,7 @@ def react(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -
     """v̇ and ω̇ in any mode with a contact; the reactions are written to the shares."""
     spin, n = vec(y, W), work.mode.closed
     free_turn = free_turning(shape, work, spin)
-    for place in range(n):
-        work.carries[place] = 1
+    carry_all(work)
     k = weigh(shape, work, q, y, f, free_turn)
     for _ in range(n):
         if not share_pressure(work) or not carried(work):
@@ -371,40 +373,14 @@ def react(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -
 def write_friction(shape: SolidParameters, work: Workspace, q: Axes, y: Floats) -> None:
     """Write the friction of each closed place beside its pressure, where it is determined."""
     hold = work.mode.grip
-    for place in range(work.mode.closed):
-        point = work.closed[place]
-        if hold == STICKS or (hold == PIVOTS and point == work.mode.pivot):
-            work.shares[place, 0] = work.solved[work.mode.kind]
-            work.shares[place, 1] = work.solved[work.mode.kind + 1]
+    for k in range(work.mode.closed):
+        place = work.closed[k]
+        touch = work.touches[place]
+        if hold == STICKS or (hold == PIVOTS and place == work.mode.pivot):
+            touch.share[0] = work.solved[work.mode.kind]
+            touch.share[1] = work.solved[work.mode.kind + 1]
         else:
-            x, z = slip_direction(shape, work, point, velocity(shape, work, q, y, point))
-            size = work.points[point].kinetic * work.shares[place, 2]
-            work.shares[place, 0] = -size * x
-            work.shares[place, 1] = -size * z
-
-
-@routine
-def arrest(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, restitution: float) -> bool:
-    """End the velocities that the present mode does not allow, by impulses at its contact.
-
-    Each normal velocity u becomes -e u. The state's velocities are changed; the impulses are
-    written to `solved`. Returns False, with nothing changed, where the mode is singular.
-    """
-    for place in range(work.mode.closed):
-        work.carries[place] = 1
-    k = assemble(shape, work, q, y, False)
-    fill(shape, work, k)
-    linear, spin = vec(y, V), vec(y, W)
-    rank = work.mode.kind
-    for i in range(k):
-        keep = restitution if i < rank else 0.0
-        work.system[i, k] = -(1.0 + keep) * measured(work.rows[i], linear, spin)
-    if not solve(work.system, k, work.solved):
-        return False
-    torque = Vec(0.0, 0.0, 0.0)
-    for j in range(k):
-        linear = add(linear, times(work.solved[j], vec(work.columns[j], 0)))
-        torque = add(torque, times(work.solved[j], vec(work.columns[j], 3)))
-    put(y, V, linear)
-    put(y, W, add(spin, applied(shape.mobility, torque)))
-    return True
+            u = velocity(shape, work, q, y, touch.point)
+            x, z = slip_direction(shape, work, place, u)
+            size = touch.kinetic * touch.share[2]
+            touch.share[0], touch.share[1] = -size * x, -size * z

@@ -61,10 +61,15 @@ def lies_on_rim(shape: SolidParameters) -> bool:
 
 
 @kernel
-def on_rim(shape: SolidParameters, work: Workspace) -> bool:
-    """Whether a rim's lowest point is closed: alone, or as the last of the places."""
-    n = work.mode.closed
-    return shape.radius > 0.0 and n > 0 and work.closed[n - 1] == shape.contacts
+def on_rim(work: Workspace) -> bool:
+    """Whether a rim's lowest point is closed: alone, or as the last of the touches."""
+    return bool(work.mode.rolls > 0)
+
+
+@kernel
+def closed_point(work: Workspace, k: int) -> int:
+    """The point of the support's contacts that the k-th of the closed touches is."""
+    return int(work.touches[work.closed[k]].point)
 
 
 @kernel
@@ -126,7 +131,7 @@ def find_rim(shape: SolidParameters, work: Workspace, q: Axes, spin: Vec) -> flo
     else:
         one = 1.0 / square  # beside the root, which it need not wait for
         x, y = -n.x * (one * sine), -n.y * (one * sine)
-        if on_rim(shape, work) and x * rim.before_x + y * rim.before_y < 0.0:
+        if on_rim(work) and x * rim.before_x + y * rim.before_y < 0.0:
             x, y, sine = -x, -y, -sine
         turn = cross(n, spin)  # the rate of the normal, which stands still, as the body sees it
         along = -x * turn.x - y * turn.y
@@ -148,15 +153,15 @@ def begin_rim(work: Workspace) -> None:
 
 @kernel
 def slip_direction(
-    shape: SolidParameters, work: Workspace, point: int, u: Vec
+    shape: SolidParameters, work: Workspace, place: int, u: Vec
 ) -> tuple[float, float]:
-    """Unit vector that friction at a slipping point opposes: along its slip, if that is fast."""
+    """Unit vector that friction at a slipping touch opposes: along its slip, if that is fast."""
     x, y = u.x, u.y
     speed = math.sqrt(x * x + y * y)
     kept = shape.limits.turning - speed
     if kept > 0.0:  # a slip that has turned round within a step is found as an event
-        x += kept * work.slip[point, 0]
-        y += kept * work.slip[point, 1]
+        x += kept * work.touches[place].slip_x
+        y += kept * work.touches[place].slip_y
         speed = max(math.sqrt(x * x + y * y), LEAST_SLIP)
     return x / speed, y / speed
 
@@ -170,8 +175,8 @@ def rim_height(shape: SolidParameters, q: Axes, y: Floats, sine: float) -> float
 @kernel
 def side_direction(shape: SolidParameters, work: Workspace) -> Vec:
     """Unit vector from the first to the last of the closed points, in the body's frame."""
-    first = arm(shape, work, work.closed[work.mode.first])
-    side = subtract(arm(shape, work, work.closed[work.mode.last]), first)
+    first = arm(shape, work, work.touches[work.mode.first].point)
+    side = subtract(arm(shape, work, work.touches[work.mode.last].point), first)
     length = math.sqrt(dot(side, side))
     return Vec(side.x / length, side.y / length, side.z / length)
 

@@ -8,7 +8,7 @@ are those of `react` of `constraints`, found by three equations: that it neither
 from __future__ import annotations
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.constraints import carried, pulls, share_pressure
+from shaketable.physics.space.constraints import carried, carry_all, pulls, share_pressure
 from shaketable.physics.space.contacts import arm, flat_margin, slip_direction, velocity
 from shaketable.physics.space.linear import solve
 from shaketable.physics.space.losses import resistance
@@ -43,11 +43,10 @@ def slides_straight(shape: SolidParameters, work: Workspace, y: Floats) -> bool:
         return False
     if y[V] * y[V] + y[V + 1] * y[V + 1] > shape.limits.turning * shape.limits.turning:
         return True
-    first, same = work.closed[0], True  # friction opposes the slip that each began
-    for place in range(1, work.mode.closed):
-        point = work.closed[place]
-        same = same and work.slip[point, 0] == work.slip[first, 0]
-        same = same and work.slip[point, 1] == work.slip[first, 1]
+    first, same = work.touches[work.closed[0]], True  # friction opposes the slip that each began
+    for k in range(1, work.mode.closed):
+        touch = work.touches[work.closed[k]]
+        same = same and touch.slip_x == first.slip_x and touch.slip_y == first.slip_y
     return same
 
 
@@ -59,12 +58,12 @@ def slide_straight(
 
     It is negative where the base does not stay flat.
     """
-    point, total = work.closed[0], -f.z
-    mu = work.points[point].kinetic
-    x, z = slip_direction(shape, work, point, vec(y, V))
+    place, total = work.closed[0], -f.z
+    mu = work.touches[place].kinetic
+    x, z = slip_direction(shape, work, place, vec(y, V))
     linear = Vec(f.x - mu * total * x, f.y - mu * total * z, 0.0)
-    for place in range(work.mode.closed):  # some shares: without reactions none is pulled
-        work.shares[place, 2] = total / work.mode.closed
+    for k in range(work.mode.closed):  # some shares: without reactions none is pulled
+        work.touches[work.closed[k]].share[2] = total / work.mode.closed
     if shape.h * mu <= shape.inscribed:  # it cannot tip, whatever the direction
         return linear, min(total, total * (shape.inscribed - shape.h * mu) / shape.reach)
     size = shape.h * mu * total  # the middle of the pressures is ahead of the foot
@@ -90,15 +89,15 @@ def slide_and_turn(
         tips -= work.torque[0] - inertia.xz / inertia.zz * pulled
         aside -= work.torque[1] - inertia.yz / inertia.zz * pulled
     found = False
-    for place in range(n):
-        work.carries[place] = 1
+    carry_all(work)
     for _ in range(n + 1):
         for i in range(EQUATIONS):
             for j in range(EQUATIONS):
                 total = 0.0
-                for place in range(n):
-                    if work.carries[place]:
-                        total += work.effects[place, i] * work.basis[place, j]
+                for k in range(n):
+                    touch = work.touches[work.closed[k]]
+                    if touch.active:
+                        total += work.effects[k, i] * touch.basis[j]
                 work.system[i, j] = total
         work.system[RISES, 3], work.system[TIPS, 3], work.system[TIPS_ASIDE, 3] = -f.z, tips, aside
         if not solve(work.system, EQUATIONS, work.solved):
@@ -109,25 +108,25 @@ def slide_and_turn(
         if not carried(work):
             break
     linear_x, linear_y, torque = f.x, f.y, pulled
-    for place in range(n):
-        share = work.shares[place, 2]
-        linear_x += share * work.effects[place, FRICTION]
-        linear_y += share * work.effects[place, FRICTION_ASIDE]
-        torque += share * work.effects[place, TURNS]
+    for k in range(n):
+        share = work.touches[work.closed[k]].share[2]
+        linear_x += share * work.effects[k, FRICTION]
+        linear_y += share * work.effects[k, FRICTION_ASIDE]
+        torque += share * work.effects[k, TURNS]
     return Vec(linear_x, linear_y, 0.0), torque / inertia.zz, found
 
 
 @routine
 def write_wrenches(shape: SolidParameters, work: Workspace, q: Axes, y: Floats) -> None:
-    """Write to `effects` what a unit of pressure does at each closed place."""
+    """Write to `effects` what a unit of pressure does at each closed touch."""
     inertia, resists = shape.inertia, resistance(shape, q, vec(y, W))
-    for place in range(work.mode.closed):
-        point = work.closed[place]
+    for k in range(work.mode.closed):
+        place = work.closed[k]
+        point, mu = work.touches[place].point, work.touches[place].kinetic
         r = arm(shape, work, point)
-        x, z = slip_direction(shape, work, point, velocity(shape, work, q, y, point))
-        mu = work.points[point].kinetic
+        x, z = slip_direction(shape, work, place, velocity(shape, work, q, y, point))
         torque = add(cross(r, on_body(q, Vec(-mu * x, -mu * z, 1.0))), resists)
-        effect = work.effects[place]
+        effect = work.effects[k]
         effect[RISES] = 1.0
         effect[TIPS] = torque.x - inertia.xz / inertia.zz * torque.z
         effect[TIPS_ASIDE] = torque.y - inertia.yz / inertia.zz * torque.z

@@ -17,10 +17,11 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
+from shaketable.physics.space.closing import close_all
+from shaketable.physics.space.cones import limit
 from shaketable.physics.space.constraints import ROUND_OFF, react
-from shaketable.physics.space.contacts import arm, flat_margin
+from shaketable.physics.space.contacts import arm, closed_point, flat_margin
 from shaketable.physics.space.modes import arrange
-from shaketable.physics.space.rates import limit
 from shaketable.physics.space.vectors import Axes, Sym, Vec, on_support
 from shaketable.physics.space.workspace import (
     FLAT,
@@ -46,10 +47,11 @@ def pressed(shape: SolidParameters, work: Workspace, total: float) -> bool:
     """Whether the pressures that are written have their resultant inside the base."""
     along, across, found = 0.0, 0.0, 0.0
     for place in range(work.mode.closed):
-        share = work.shares[place, 2]
+        touch = work.touches[place]
+        share = touch.share[2]
         found += share
-        along += share * work.points[work.closed[place]].x
-        across += share * work.points[work.closed[place]].y
+        along += share * work.points[touch.point].x
+        across += share * work.points[touch.point].y
     inside = flat_margin(shape, work, found, along, across) >= -EDGE_OF_BASE * total
     return inside and abs(found - total) <= ROUND_OFF * total
 
@@ -58,24 +60,22 @@ def pressed(shape: SolidParameters, work: Workspace, total: float) -> bool:
 def flat_grip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, iterations: int) -> float:
     """Find the friction of all points of a flat base, which slip on as they do; -1 if it lifts.
 
-    Writes the friction per unit mass [m/s²] to `free[place, :2]`, the pressure to
-    `shares[place, 2]` and the acceleration to `local[place, :2]`. The first iteration uses the
-    pressures at rest; the others run only if a point slips.
+    Writes of each touch the friction and the pressure per unit mass to `share`, and its
+    acceleration to `free` [m/s²]. The first iteration uses the pressures at rest; the others run
+    only if a point slips.
 
     Returns: the largest acceleration of a point that does not slip yet [m/s²].
     """
     n = work.mode.near
-    for place in range(n):
-        work.closed[place] = work.near[place]
-    work.mode.closed = n
+    close_all(shape, work)
     arrange(shape, work, STICKS, 0)
     if work.mode.kind != FLAT or f.z >= 0.0:
         return -1.0
     pull_x, pull_y, left, moving = -f.x, -f.y, 0.0, 0
     for place in range(n):
-        moving += work.moving[work.closed[place]]
+        moving += work.touches[place].moves
     # a base that sticks is turned about its first point by the spin: what that takes is left out
-    spin2, r = work.state[W + 2] ** 2, on_support(q, arm(shape, work, work.closed[0]))
+    spin2, r = work.state[W + 2] ** 2, on_support(q, arm(shape, work, closed_point(work, 0)))
     for iteration in range(iterations):
         react(shape, work, q, work.state, Vec(spin2 * r.x - pull_x, spin2 * r.y - pull_y, f.z))
         if not pressed(shape, work, -f.z):
@@ -87,8 +87,8 @@ def flat_grip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, iteratio
         before_x, before_y = pull_x, pull_y
         pull_x, pull_y = 0.0, 0.0
         for place in range(n):
-            pull_x += work.free[place, 0]
-            pull_y += work.free[place, 1]
+            pull_x += work.touches[place].share[0]
+            pull_y += work.touches[place].share[1]
         if abs(pull_x - before_x) + abs(pull_y - before_y) <= ROUND_OFF * -f.z:
             break
     return left
@@ -96,8 +96,9 @@ def flat_grip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec, iteratio
 
 @kernel
 def most(work: Workspace, place: int) -> float:
-    """The friction that a closed place can hold."""
-    return limit(work.points[work.closed[place]].static, max(work.shares[place, 2], 0.0))
+    """The friction that a touch can hold."""
+    touch = work.touches[place]
+    return limit(touch.static, max(touch.share[2], 0.0))
 
 
 @routine
@@ -114,18 +115,18 @@ def share_friction(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
     if shape.straps > 0:
         torque = work.torque[2]
     for place in range(n):
-        point = work.closed[place]
-        r = on_support(q, arm(shape, work, point))
-        if work.moving[point]:
-            size = work.points[point].kinetic * max(work.shares[place, 2], 0.0)
-            x, y = -size * work.slip[point, 0], -size * work.slip[point, 1]
-            work.free[place, 0], work.free[place, 1] = x, y
+        touch = work.touches[place]
+        r = on_support(q, arm(shape, work, touch.point))
+        if touch.moves:
+            size = touch.kinetic * max(touch.share[2], 0.0)
+            x, y = -size * touch.slip_x, -size * touch.slip_y
+            touch.share[0], touch.share[1] = x, y
             away_x += x
             away_y += y
             torque += r.x * y - r.y * x
-        elif work.moving[work.closed[origin]] or most(work, place) > most(work, origin):
+        elif work.touches[origin].moves or most(work, place) > most(work, origin):
             origin = place
-    o = on_support(q, arm(shape, work, work.closed[origin]))
+    o = on_support(q, arm(shape, work, work.touches[origin].point))
     # a: of the origin, and angular [rad/s²]; begun as if nothing held
     angular = torque / inertia
     a_x, a_y = away_x - angular * o.y - spin2 * o.x, away_y + angular * o.x - spin2 * o.y
@@ -155,15 +156,15 @@ def share_friction(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
             break
     left = 0.0
     for place in range(n):
-        point = work.closed[place]
-        r = on_support(q, arm(shape, work, point))
+        touch = work.touches[place]
+        r = on_support(q, arm(shape, work, touch.point))
         u_x = a_x - angular * (r.y - o.y) - spin2 * (r.x - o.x)
         u_y = a_y + angular * (r.x - o.x) - spin2 * (r.y - o.y)
-        work.local[place, 0], work.local[place, 1] = u_x, u_y
-        if not work.moving[point]:
+        touch.free[0], touch.free[1] = u_x, u_y
+        if not touch.moves:
             size = math.sqrt(u_x * u_x + u_y * u_y)
             part = most(work, place) / math.sqrt(size * size + epsilon * epsilon)
-            work.free[place, 0], work.free[place, 1] = -part * u_x, -part * u_y
+            touch.share[0], touch.share[1] = -part * u_x, -part * u_y
             left = max(left, size)
     return left
 
@@ -194,10 +195,10 @@ def slopes(
     xx, yy, tt = 1.0, 1.0, inertia + o.x * o.x + o.y * o.y
     xy, xt, yt = 0.0, o.y, -o.x
     for place in range(work.mode.closed):
-        point = work.closed[place]
-        if work.moving[point]:
+        touch = work.touches[place]
+        if touch.moves:
             continue
-        r = on_support(q, arm(shape, work, point))
+        r = on_support(q, arm(shape, work, touch.point))
         x, y = r.x - o.x, r.y - o.y
         u_x, u_y = a_x - angular * y - spin2 * x, a_y + angular * x - spin2 * y
         size = math.sqrt(u_x * u_x + u_y * u_y + epsilon * epsilon)
@@ -235,9 +236,9 @@ def newton_step(k: Sym, g_x: float, g_y: float, g_t: float) -> tuple[float, floa
 def slip_with_grip(shape: SolidParameters, work: Workspace, left: float) -> None:
     """Mark as slipping every point that `flat_grip` accelerates above the threshold."""
     for place in range(work.mode.closed):
-        point = work.closed[place]
-        x, y = work.local[place, 0], work.local[place, 1]
+        touch = work.touches[place]
+        x, y = touch.free[0], touch.free[1]
         size = math.sqrt(x * x + y * y)
-        if not work.moving[point] and size > max(BEGINS * left, BEGINS_AT_LEAST):
-            work.moving[point] = 1
-            work.slip[point, 0], work.slip[point, 1] = x / size, y / size
+        if not touch.moves and size > max(BEGINS * left, BEGINS_AT_LEAST):
+            touch.moves = 1
+            touch.slip_x, touch.slip_y = x / size, y / size

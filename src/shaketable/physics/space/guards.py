@@ -12,9 +12,7 @@ from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.hermite import top_of
-from shaketable.physics.space.closing import is_closed
 from shaketable.physics.space.contacts import (
-    acceleration,
     axes_at,
     find_rim,
     lies_on_rim,
@@ -50,9 +48,11 @@ from shaketable.physics.space.straps import (
     stretch_of,
 )
 from shaketable.physics.space.touches import (
-    is_carrying,
-    touch_acceleration,
-    touch_velocity,
+    closed_on_support,
+    is_closed,
+    slip_acceleration,
+    slip_velocity,
+    slips_at,
     touches_more,
 )
 from shaketable.physics.space.vectors import Axes, cross
@@ -62,8 +62,6 @@ from shaketable.physics.space.workspace import (
     BEHIND_SIDES,
     FLAT,
     FLIGHT,
-    PIVOTS,
-    STICKS,
     WALLED,
     Floats,
     P,
@@ -101,12 +99,6 @@ def sets_off_backward(shape: SolidParameters, ahead: float, rate: float) -> bool
         rate: how fast that grows [m/s²].
     """
     return -shape.limits.slipping < ahead < 0.0 < rate
-
-
-@kernel
-def slips_at(work: Workspace, point: int) -> bool:
-    hold = work.mode.grip
-    return hold != STICKS and not (hold == PIVOTS and point == work.mode.pivot)
 
 
 class EventGuard(NamedTuple):
@@ -162,30 +154,22 @@ def least_guard(
     if rank != FLIGHT:
         force, before = force_guard(work), force_guard_before(work)
         found = nearer(found, FORCE, force, min((force - before) / h, 0.0))
-        for place in range(work.mode.closed if rank != WALLED else 0):
-            point = work.closed[place]
-            if slips_at(work, point):
-                x, along = work.slip[point, 0], work.slip[point, 1]
-                u = velocity(shape, work, q, y, point)
-                change = acceleration(shape, work, q, y, dy, point)
-                ahead = u.x * x + u.y * along + SLIP_PAST
-                rate = change.x * x + change.y * along
-                if not sets_off_backward(shape, ahead, rate):
-                    found = nearer(found, SLIP, ahead, rate)
+        found = slip_guards(shape, work, q, y, dy, found)
     for k in range(shape.straps):
         found = strap_guard(work, q, y, dy, k, found)
     if has_edge(shape):
         found = passing_guards(shape, work, q, y, found)
     if touches_more(shape):
-        found = touch_guards(shape, work, q, y, dy, gap_past, found)
-    if rank == FLAT or (rank == WALLED and lies_on_rim(shape) and work.mode.closed > 1):
+        found = touch_guards(shape, work, q, y, gap_past, found)
+    lies = rank == WALLED and lies_on_rim(shape) and closed_on_support(work) > 1
+    if rank == FLAT or lies:
         return found
-    rim = lies_on_rim(shape) or (shape.radius > 0.0 and not on_rim(shape, work))
+    rim = lies_on_rim(shape) or (shape.radius > 0.0 and not on_rim(work))
     if rim and clearance(shape, work, q, y) < math.inf:
         found = nearer(found, GAP, *rim_gap(shape, work, y, gap_past))
     if not lies_on_rim(shape):
         for point in range(shape.contacts):
-            if not (is_carrying(work, 0, point) if rank == WALLED else is_closed(work, point)):
+            if not is_closed(work, 0, point):
                 gap = support_gap(shape, work, q, y, point) + gap_past
                 speed = velocity(shape, work, q, y, point).z
                 hair = -shape.limits.landing < gap < 0.0 < speed
@@ -237,23 +221,31 @@ def strap_guard(
 
 
 @routine
-def touch_guards(
-    shape: SolidParameters,
-    work: Workspace,
-    q: Axes,
-    y: Floats,
-    dy: Floats,
-    gap_past: float,
-    found: EventGuard,
+def slip_guards(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, dy: Floats, found: EventGuard
 ) -> EventGuard:
-    """What is found after walls and edge were looked at, and which touch ends its slip.
+    """What is found after it was looked which closed touch ends its slip."""
+    for k in range(work.mode.closed):
+        place = work.closed[k]
+        if slips_at(work, place):
+            x, z = work.touches[place].slip_x, work.touches[place].slip_y
+            u = slip_velocity(shape, work, q, y, place)
+            change = slip_acceleration(shape, work, q, y, dy, place)
+            ahead = u.x * x + u.y * z + SLIP_PAST
+            rate = change.x * x + change.y * z
+            if not sets_off_backward(shape, ahead, rate):
+                found = nearer(found, SLIP, ahead, rate)
+    return found
 
-    Of a mode of touches those on the support are looked at, too.
-    """
-    pressed = work.mode.kind == WALLED
+
+@routine
+def touch_guards(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, gap_past: float, found: EventGuard
+) -> EventGuard:
+    """What is found after walls and edge were looked at."""
     for wall in range(1, shape.walls + 1):
         for point in range(shape.outline):
-            if not (pressed and is_carrying(work, wall, point)):
+            if not is_closed(work, wall, point):
                 gap = wall_gap(shape, work, q, y, wall, point) + gap_past
                 speed = wall_speed(shape, work, q, y, wall, point)
                 shallow = -SHALLOW * shape.limits.landing < gap < 0.0
@@ -262,17 +254,6 @@ def touch_guards(
                     found = nearer(found, WALL, gap, speed)
     if has_edge(shape):
         found = edge_guards(shape, work, q, y, gap_past, found)
-    if pressed:
-        for place in range(work.mode.touches):
-            touch = work.touches[place]
-            if touch.moves > 0 and touch.carries > 0:
-                x, z = touch.slip_x, touch.slip_y
-                u = touch_velocity(work, q, y, place)
-                change = touch_acceleration(work, q, y, vec(dy, V), vec(dy, W), place)
-                ahead = u.x * x + u.y * z + SLIP_PAST
-                rate = change.x * x + change.y * z
-                if not sets_off_backward(shape, ahead, rate):
-                    found = nearer(found, SLIP, ahead, rate)
     return found
 
 
@@ -286,10 +267,9 @@ def passing_guards(
     """
     if beyond(shape, vec(y, P)) + shape.size < 0.0:
         return found
-    pressed = work.mode.kind == WALLED
     for point in range(shape.contacts + 1):
         rolls = shape.radius > 0.0 or point == shape.contacts
-        if rolls and not (is_carrying(work, 0, point) if pressed else is_closed(work, point)):
+        if rolls and not is_closed(work, 0, point):
             continue
         u = velocity(shape, work, q, y, point)
         off, rate = past_line(shape, work, q, y, point), shape.edge_x * u.x + shape.edge_y * u.y
@@ -310,9 +290,8 @@ def edge_guards(
     found: EventGuard,
 ) -> EventGuard:
     """What is found after the edge of the support was looked at."""
-    pressed = work.mode.kind == WALLED
     for point in range(shape.outline if shape.lip > 0.0 else 0):
-        if pressed and is_carrying(work, lip_plane(shape), point):
+        if is_closed(work, lip_plane(shape), point):
             found = nearer(found, PASS, lip_left(shape, work, q, y, point), 0.0)
         elif work.behind[BEHIND_LIP + point] == 0:
             gap = lip_gap(shape, work, q, y, point) + gap_past
@@ -320,7 +299,7 @@ def edge_guards(
             found = nearer(found, WALL, gap, speed)
     for side in range(side_count(shape) if near_line(shape, y) else 0):
         at = crossing(shape, work, q, y, side)
-        if pressed and is_carrying(work, line_plane(shape), side):
+        if is_closed(work, line_plane(shape), side):
             found = nearer(found, PASS, at.left, at.rate)
         elif work.behind[BEHIND_SIDES + side] == 0 and at.left > TIE:
             found = nearer(found, WALL, at.gap + gap_past, crossing_speed(q, y, at))
@@ -335,7 +314,7 @@ def rim_gap(
     q = axes_at(y)
     sine = find_rim(shape, work, q, vec(y, W))
     rate = 0.5 * lean_rate(y) / sine if sine != 0.0 else 0.0
-    if on_rim(shape, work):
+    if on_rim(work):
         return 2.0 * shape.radius * sine + gap_past, 2.0 * shape.radius * rate
     falls = y[V + 2] + (shape.rise - shape.h) * cross(q.z, vec(y, W)).z
     return rim_height(shape, q, y, sine) + gap_past, falls - shape.radius * rate

@@ -1,27 +1,18 @@
-"""Impacts: the points on the support, struck together.
+"""Impacts: all touches of the list, struck together.
 
-Newton's law at the points that close, complementary to their impulse, and Coulomb's disc. As with
-forces, simple contacts that stick are tried first. Newton's law with friction can add energy (Kane
-& Levinson 1985); e is then lowered to the largest value that adds none.
+Newton's law at the touches that close, complementary to their impulse, and Coulomb's disc. As with
+forces, an impact where what is struck sticks is tried first. Newton's law with friction can add
+energy (Kane & Levinson 1985); the restitution is then lowered to the largest share of it that adds
+none.
 """
 
 from __future__ import annotations
 
-import math
-
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.closing import (
-    close_all,
-    close_side,
-    close_with_rim,
-    is_closed,
-    rim_is_near,
-)
-from shaketable.physics.space.complementarity import balance, summed
-from shaketable.physics.space.constraints import arrest
+from shaketable.physics.space.complementarity import CONVERGED, balance, sweeps_left
+from shaketable.physics.space.constraints import measured
 from shaketable.physics.space.contacts import arm, axes_at, velocity
-from shaketable.physics.space.modes import arrange
-from shaketable.physics.space.rates import judge_side, limit, write_side
+from shaketable.physics.space.touches import look_at_touches, touch_gap, touch_velocity
 from shaketable.physics.space.vectors import (
     ZERO,
     Axes,
@@ -34,11 +25,18 @@ from shaketable.physics.space.vectors import (
     subtract,
     times,
 )
+from shaketable.physics.space.walled import (
+    LIKE_LEAST,
+    PRESSES,
+    PRESSURE,
+    PULLS,
+    impelled,
+    judge_touches,
+    write_mode,
+    write_row,
+)
 from shaketable.physics.space.workspace import (
-    CORNER,
-    EDGE,
     STATE,
-    STICKS,
     Floats,
     SolidParameters,
     V,
@@ -51,7 +49,9 @@ from shaketable.physics.space.workspace import (
 ROUND_OFF = 1e-12  # of the largest speed
 ENERGY_SLACK = 1e-12  # of the energy
 HALVINGS = 40
-SLIPS, STAYS, BOUNCES = range(3)  # what the points of an impact do
+CREEP_SWEEPS = 30  # in each step of the time stepping
+MOST_STICKING = 12  # tries, to find which touches bear a part of an impact that stick
+SLIPS, STAYS, BOUNCES = range(3)  # what touches do in an impact
 
 
 @kernel
@@ -61,165 +61,105 @@ def kinetic_energy(shape: SolidParameters, y: Floats) -> float:
     return 0.5 * (dot(v, v) + dot(spin, applied(shape.inertia, spin)))
 
 
-@kernel
-def goal_of(shape: SolidParameters, speed: float, restitution: float) -> float:
-    """Least normal velocity after the impact of a point with this one before."""
-    return -restitution * speed if speed < -shape.limits.bounce else 0.0
-
-
 @routine
-def judge_impulses(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
-    """Judge whether impulses where all sticks, in `solved`, press and keep to their cones."""
-    z, n = work.solved, work.mode.closed
-    rank = work.mode.kind
-    if rank == CORNER:
-        mu = work.points[work.closed[0]].static
-        return z[0] >= 0.0 and math.sqrt(z[1] * z[1] + z[2] * z[2]) <= limit(mu, z[0])
-    origin = work.closed[0]
-    if rank == EDGE:
-        return judge_side_impulses(shape, work, q)
-    total, x, y = 0.0, 0.0, 0.0
-    for place in range(n):
-        share = 0.0
-        for j in range(rank):
-            share += work.basis[place, j] * z[j]
-        if share < 0.0:
-            return False
-        work.shares[place, 2] = share
-        point = work.closed[place]
-        total += share
-        x += share * work.points[point].x
-        y += share * work.points[point].y
-    if total <= 0.0:
-        return False
-    x, y = x / total, y / total
-    # friction as a rigid field about the centre of the pressure, which is one way to share it
-    to_x, to_y = work.points[origin].x - x, work.points[origin].y - y
-    f_x = q.x.x * z[3] + q.y.x * z[4]  # in the body's frame
-    f_y = q.x.y * z[3] + q.y.y * z[4]
-    torque = z[5] + to_x * f_y - to_y * f_x
-    second = 0.0
-    for place in range(n):
-        point = work.closed[place]
-        dx, dy = work.points[point].x - x, work.points[point].y - y
-        second += work.shares[place, 2] * (dx * dx + dy * dy)
-    twist = torque / second
-    for place in range(n):
-        point = work.closed[place]
-        dx, dy = work.points[point].x - x, work.points[point].y - y
-        t_x, t_y = f_x / total - twist * dy, f_y / total + twist * dx
-        if math.sqrt(t_x * t_x + t_y * t_y) > limit(work.points[point].static, 1.0):
-            return False
-    return True
+def strike(shape: SolidParameters, work: Workspace, share: float, within: float) -> int:
+    """Change the state's velocities by the impact of all touches; those before are in `trial`.
 
+    Args:
+        share: of each plane's restitution.
+        within: time in which what has a gap may close it [s]; 0 where all are closed.
 
-@routine
-def judge_side_impulses(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
-    """Judge whether the impulses along a side press and keep to their cones."""
-    z = work.solved
-    for place in range(work.mode.closed):
-        work.shares[place, 2] = z[0] + z[1] * work.basis[place, 1]
-    write_side(shape, work, q)
-    judge_side(work)
-    return bool(min(work.judged.press, work.judged.cone) >= 0.0)
-
-
-@routine
-def try_impact(
-    shape: SolidParameters,
-    work: Workspace,
-    q: Axes,
-    before: Floats,
-    restitution: float,
-    slack: float,
-) -> int:
-    """Try an impact at the closed points alone, all of which stick; the state is left struck.
-
-    Returns: STAYS or BOUNCES; 0 where it is no such impact.
+    Returns: SLIPS, STAYS or BOUNCES, what the touches do.
     """
-    y = work.state
-    approaching, bouncing = False, 0
-    for place in range(work.mode.closed):
-        speed = velocity(shape, work, q, before, work.closed[place]).z
-        approaching = approaching or speed < -slack
-        bouncing += speed < -shape.limits.bounce
-    if not approaching:
-        return 0
-    keep = restitution if bouncing == work.mode.closed else 0.0
-    if restitution > 0.0 and 0 < bouncing < work.mode.closed:
-        return 0
+    before, y, fastest = work.trial, work.state, 0.0
     for j in range(STATE):
         y[j] = before[j]
-    arrange(shape, work, STICKS, 0)
-    if not arrest(shape, work, q, y, keep) or not judge_impulses(shape, work, q):
-        return 0
-    for k in range(work.mode.near):
-        point = work.near[k]
-        if is_closed(work, point):
-            continue
-        least = goal_of(shape, velocity(shape, work, q, before, point).z, restitution)
-        if velocity(shape, work, q, y, point).z < least - slack:
-            return 0
-    return BOUNCES if keep > 0.0 else STAYS
-
-
-@routine
-def strike(shape: SolidParameters, work: Workspace, before: Floats, restitution: float) -> int:
-    """Change the state's velocities by the impact of all points on the support.
-
-    Returns: SLIPS, STAYS or BOUNCES, what its points do.
-    """
     q = axes_at(before)
-    fastest = 0.0
-    for k in range(work.mode.near):
-        u = velocity(shape, work, q, before, work.near[k])
+    look_at_touches(shape, work, q, before)
+    for place in range(work.mode.touches):
+        touch, u = work.touches[place], touch_velocity(work, q, before, place)
         fastest = max(fastest, abs(u.x), abs(u.y), abs(u.z))
-    slack = ROUND_OFF * fastest
-    close_all(work)
-    how = try_impact(shape, work, q, before, restitution, slack)
-    if how:
-        return how
-    if work.mode.near > 2:
-        for k in range(shape.hull):
-            if close_side(shape, work, k):
-                how = try_impact(shape, work, q, before, restitution, slack)
-                if how:
-                    return how
-    if work.mode.near > 2 and rim_is_near(shape, work):
-        for k in range(work.mode.near - 1):
-            close_with_rim(shape, work, k)
-            how = try_impact(shape, work, q, before, restitution, slack)
-            if how:
-                return how
-    if work.mode.near > 1:
-        for k in range(work.mode.near):
-            work.closed[0] = work.near[k]
-            work.mode.closed = 1
-            how = try_impact(shape, work, q, before, restitution, slack)
-            if how:
-                return how
-    strike_together(shape, work, q, before, restitution)
+        put(touch.free, 0, u)
+        put(touch.share, 0, ZERO)
+        touch.moves = 0
+        restitution = share * work.planes[touch.plane].restitution
+        touch.goal = -restitution * u.z if u.z < -shape.limits.bounce else 0.0
+        if within > 0.0:
+            touch.goal = -max(touch_gap(shape, work, q, before, place), 0.0) / within
+    if try_sticking(shape, work, q, ROUND_OFF * fastest):
+        return BOUNCES if bounces_any(work) else STAYS
+    sweeps = sweeps_left(work) if within == 0.0 else CREEP_SWEEPS
+    if not balance(shape, work, work.mode.touches, False, ZERO, sweeps):
+        work.tally.fallbacks += 1.0
+    put(y, V, add(vec(y, V), on_support(q, vec(work.change, 0))))
+    put(y, W, add(vec(y, W), vec(work.change, 3)))
     return SLIPS
 
 
 @routine
-def strike_together(
-    shape: SolidParameters, work: Workspace, q: Axes, before: Floats, restitution: float
-) -> None:
-    """The impact where some point slips."""
-    y = work.state
-    for j in range(STATE):
-        y[j] = before[j]
-    close_all(work)
-    for place in range(work.mode.closed):
-        u = velocity(shape, work, q, before, work.closed[place])
-        put(work.free[place], 0, u)
-        work.goal[place] = goal_of(shape, u.z, restitution)
-    if not balance(shape, work, q, False, ZERO):
-        work.tally.fallbacks += 1.0
-    linear, turn = summed(shape, work, q, ZERO)
-    put(y, V, add(vec(y, V), linear))
-    put(y, W, add(vec(y, W), turn))
+def try_sticking(shape: SolidParameters, work: Workspace, q: Axes, slack: float) -> bool:
+    """Try an impact in which all that is struck sticks; the state is struck if it is one.
+
+    Struck is first what approaches, then also what would sink, and not what would be pulled.
+
+    Args:
+        slack: a speed that is none [m/s].
+    """
+    before, y, found = work.trial, work.state, False
+    for place in range(work.mode.touches):
+        touch = work.touches[place]
+        touch.carries = PRESSES if touch.free[2] < touch.goal - slack else PULLS
+    for _ in range(MOST_STICKING):
+        write_mode(shape, work, q)
+        impel(shape, work, q)
+        judge_touches(shape, work)
+        if work.judged.press < -slack:
+            drop_pulled(work)
+            continue
+        sinks, slips = False, work.judged.cone < 0.0
+        for place in range(work.mode.touches):
+            touch, u = work.touches[place], touch_velocity(work, q, y, place)
+            carries = touch.carries == PRESSES
+            slips = slips or (carries and max(abs(u.x), abs(u.y)) > CONVERGED / ROUND_OFF * slack)
+            if u.z < touch.goal - slack and not carries:
+                touch.carries, sinks = PRESSES, True
+            elif u.z < touch.goal - CONVERGED / ROUND_OFF * slack:
+                slips = True
+        if not sinks:
+            found = not slips
+            break
+    if not found:
+        for j in range(V, STATE):
+            y[j] = before[j]
+        for place in range(work.mode.touches):
+            put(work.touches[place].share, 0, ZERO)
+    return found
+
+
+@routine
+def impel(shape: SolidParameters, work: Workspace, q: Axes) -> None:
+    """Strike the state as the rows that are kept say: their touches get their goals, and stick."""
+    before, y, k = work.trial, work.state, work.mode.rows
+    linear, spin = on_body(q, vec(before, V)), vec(before, W)
+    for i in range(k):
+        place, component = work.kept[i, 0], work.kept[i, 1]
+        write_row(work, i, place, component)
+        goal = work.touches[place].goal if component == PRESSURE else 0.0
+        work.system[i, k] = goal - measured(work.rows[i], linear, spin)
+    change, turn = impelled(shape, work)
+    put(y, V, add(vec(before, V), on_support(q, change)))
+    put(y, W, add(spin, turn))
+
+
+@kernel
+def drop_pulled(work: Workspace) -> None:
+    """Let those touches carry nothing that are pulled most."""
+    least = 0.0
+    for place in range(work.mode.touches):
+        least = min(least, work.touches[place].share[2])
+    for place in range(work.mode.touches):
+        if work.touches[place].share[2] < LIKE_LEAST * least:
+            work.touches[place].carries = PULLS
 
 
 @routine
@@ -234,9 +174,10 @@ def lose_spin(shape: SolidParameters, work: Workspace) -> None:
     if shape.factor == 1.0:
         return
     q, y, stay, middle = axes_at(work.state), work.state, 0, ZERO
-    for k in range(work.mode.near):
-        if velocity(shape, work, q, y, work.near[k]).z <= shape.limits.leaving:
-            middle, stay = add(middle, arm(shape, work, work.near[k])), stay + 1
+    for place in range(work.mode.near):
+        point = work.touches[place].point
+        if velocity(shape, work, q, y, point).z <= shape.limits.leaving:
+            middle, stay = add(middle, arm(shape, work, point)), stay + 1
     if stay == 0 or stay == work.mode.near:
         return
     spin, r = vec(y, W), times(1.0 / stay, middle)
@@ -250,30 +191,35 @@ def lose_spin(shape: SolidParameters, work: Workspace) -> None:
     put(y, V, on_support(q, subtract(u, times(factor, turning))))
 
 
+@kernel
+def bounces_any(work: Workspace) -> bool:
+    """Whether a touch is to rise after the impact."""
+    found = False
+    for place in range(work.mode.touches):
+        found = found or work.touches[place].goal > 0.0
+    return found
+
+
 @routine
 def collide(shape: SolidParameters, work: Workspace) -> None:
-    """The impact of the points on the support, with the restitution that its energy allows."""
+    """The impact of all touches, with the share of the restitutions that its energy allows."""
     before = work.trial
     for j in range(STATE):
         before[j] = work.state[j]
-    how = strike(shape, work, before, shape.restitution)
-    if (
-        how == STAYS and shape.factor < 1.0 and not shape.planar
-    ):  # the velocities that are left keep the contact
-        for j in range(V, STATE):
+    how = strike(shape, work, 1.0, 0.0)
+    if how == STAYS and shape.factor < 1.0 and not shape.planar:
+        for j in range(V, STATE):  # the velocities that are left keep the contact
             work.state[j] *= shape.factor
-    if shape.restitution == 0.0:
-        return
     allowed = kinetic_energy(shape, before) * (1.0 + ENERGY_SLACK)
-    if kinetic_energy(shape, work.state) <= allowed:
+    if not bounces_any(work) or kinetic_energy(shape, work.state) <= allowed:
         return
     work.tally.energy_cuts += 1.0
-    low, high = 0.0, shape.restitution
+    low, high = 0.0, 1.0
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        strike(shape, work, before, middle)
+        strike(shape, work, middle, 0.0)
         if kinetic_energy(shape, work.state) <= allowed:
             low = middle
         else:
             high = middle
-    strike(shape, work, before, low)
+    strike(shape, work, low, 0.0)

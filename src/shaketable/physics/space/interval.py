@@ -7,7 +7,6 @@ import math
 from shaketable.compiled import kernel, routine
 from shaketable.physics.dormand_prince import next_part
 from shaketable.physics.space.beside import choose, choose_together
-from shaketable.physics.space.closing import is_closed
 from shaketable.physics.space.constraints import pulls
 from shaketable.physics.space.contacts import (
     LEVEL,
@@ -44,7 +43,6 @@ from shaketable.physics.space.guards import (
     lean_rate,
     least_guard,
     peak_between,
-    slips_at,
 )
 from shaketable.physics.space.impact import collide, kinetic_energy, lose_spin
 from shaketable.physics.space.in_plane import keep_in_plane, note_slips_in_plane
@@ -64,14 +62,18 @@ from shaketable.physics.space.settling import (
 )
 from shaketable.physics.space.step import Pull, pull_at, take_step
 from shaketable.physics.space.straps import hold_on, note_forces, pull_or_not, with_straps
-from shaketable.physics.space.together import collide_touches
 from shaketable.physics.space.touches import (
+    add_near,
+    begin_list,
+    closed_on_support,
     gather_touches,
     is_at_edge,
-    is_carrying,
+    is_closed,
     note_slips,
     plane_of,
     point_of,
+    slip_velocity,
+    slips_at,
     touch_velocity,
     touches_more,
 )
@@ -139,18 +141,8 @@ def look_at(shape: SolidParameters, work: Workspace) -> None:
     if shape.radius > 0.0:
         begin_rim(work)
         find_rim(shape, work, q, vec(y, W))
-    if work.mode.grip == STICKS or work.mode.kind == FLIGHT:
-        return
-    if work.mode.kind == WALLED:
+    if work.mode.grip != STICKS:
         note_slips(shape, work, q)
-        return
-    for place in range(work.mode.closed):
-        point = work.closed[place]
-        u = velocity(shape, work, q, y, point)
-        speed = math.sqrt(u.x * u.x + u.y * u.y)
-        if speed > shape.limits.turning:
-            work.slip[point, 0] = u.x / speed
-            work.slip[point, 1] = u.y / speed
 
 
 @routine
@@ -181,24 +173,23 @@ def accept(shape: SolidParameters, work: Workspace, h: float) -> None:
 
 @routine
 def collect_contacts(shape: SolidParameters, work: Workspace, leaving: float) -> None:
-    """Note which points are on the support and do not leave it faster than `leaving`.
+    """List the points that are on the support and do not leave it faster than `leaving`.
 
     The lowest point of a rim comes last; a circle that lies flat has its ring of points instead.
     """
-    y, n = work.state, 0
+    y = work.state
     q = axes_at(y)
     leans = shape.radius > 0.0 and q.z.x**2 + q.z.y**2 > LEVEL * LEVEL
     if leans:
         find_rim(shape, work, q, vec(y, W))
     first = shape.contacts if leans and lies_on_rim(shape) else 0
+    begin_list(work)
     for point in range(first, shape.contacts + (1 if leans else 0)):
         if (
             support_gap(shape, work, q, y, point) <= shape.limits.landing
             and velocity(shape, work, q, y, point).z <= leaving
         ):
-            work.near[n] = point
-            n += 1
-    work.mode.near = n
+            add_near(work, point)
 
 
 @routine
@@ -227,9 +218,7 @@ def land(  # type: ignore[no-untyped-def]
         work.tally.met = 1.0
         if shape.walls > 0:
             push_out(shape, work)
-        collide_touches(shape, work)
-    else:
-        collide(shape, work)
+    collide(shape, work)
     if shape.planar:
         lose_spin(shape, work)
         keep_in_plane(work.state)
@@ -281,9 +270,9 @@ def is_upright_side(shape: SolidParameters, work: Workspace, place: int) -> bool
 @routine
 def note_rolling_past(shape: SolidParameters, work: Workspace) -> None:
     """Note which points of a circle are past the edge; of those that touch their guards decide."""
-    q, pressed = axes_at(work.state), work.mode.kind == WALLED
+    q = axes_at(work.state)
     for point in range(shape.contacts + 1):
-        if not (is_carrying(work, 0, point) if pressed else is_closed(work, point)):
+        if not is_closed(work, 0, point):
             off = past_line(shape, work, q, work.state, point)
             work.past[point] = 1 if off > PAST else 0
 
@@ -302,7 +291,7 @@ def respond(  # type: ignore[no-untyped-def]
     shape: SolidParameters, work: Workspace, f, kind: int, impact_times: Floats
 ) -> bool:
     """Choose the contact mode after an event; return True if none is admissible."""
-    before = work.judged.past
+    before, was = work.judged.past, signature(work)
     work.judged.past = FORCE_PAST
     if kind in (GAP, WALL):
         land(shape, work, f, kind, impact_times)
@@ -319,22 +308,14 @@ def respond(  # type: ignore[no-untyped-def]
         collect_contacts(shape, work, shape.limits.leaving)
     else:
         gather_closed(shape, work)
-    rank, hold, first = work.mode.kind, work.mode.grip, work.closed[0]
-    n, touching = work.mode.closed, signature(work)
     choose(shape, work, f)
-    same = (
-        rank == work.mode.kind
-        and hold == work.mode.grip
-        and n == work.mode.closed
-        and touching == signature(work)
-    )
-    if kind == FORCE and same and first == work.closed[0]:
+    if kind == FORCE and was == signature(work):
         if before >= MOST_PAST:
             return True
         work.judged.past = (
             before * TOLERANCE_RELAXATION
         )  # no other mode is admissible: this one goes on
-        if rank == FLAT and hold != STICKS:
+        if work.mode.kind == FLAT and work.mode.grip != STICKS:
             rates(shape, work, work.state, f, True, work.stages[0])
             return pulls(work)
     return False
@@ -343,7 +324,7 @@ def respond(  # type: ignore[no-untyped-def]
 @kernel
 def is_at_rest(shape: SolidParameters, work: Workspace) -> bool:
     """Whether a body lies flat and sticks, or is held beside a wall."""
-    flat = work.mode.kind == FLAT and not on_rim(shape, work)
+    flat = work.mode.kind == FLAT and not on_rim(work)
     sticks = work.mode.grip == STICKS
     return sticks and (flat or work.mode.kind == WALLED)
 
@@ -380,7 +361,7 @@ def judge_support(shape: SolidParameters, work: Workspace, pull: Pull, u: float)
 
     Rests end where sliding begins, so that a margin of none is none.
     """
-    if work.mode.closed < shape.contacts or on_rim(shape, work):
+    if closed_on_support(work) < shape.contacts or on_rim(work):
         return False
     start = with_straps(shape, work, pull_at(pull, u))
     end = with_straps(shape, work, pull_at(pull, 1.0))
@@ -389,30 +370,30 @@ def judge_support(shape: SolidParameters, work: Workspace, pull: Pull, u: float)
 
 @kernel
 def signature(work: Workspace) -> int:
-    """A number that tells which touches a mode beside a wall has, and what they do; 0 of others."""
-    number = 0
-    if work.mode.kind == WALLED:
-        for place in range(work.mode.touches):
-            touch = work.touches[place]
-            each = 64 * plane_of(work, place) + point_of(work, place)
-            each = 4 * each + 2 * (touch.moves > 0) + (touch.carries > 0)
-            number = 31 * number + each + 1
+    """A number that tells the mode: which touches are closed, and which of them slip."""
+    number = 3 * work.mode.kind + work.mode.grip
+    for k in range(work.mode.closed):
+        place = work.closed[k]
+        touch = work.touches[place]
+        each = 2 * (64 * touch.plane + touch.point) + slips_at(work, place)
+        number = 31 * number + each + 1
     return number
 
 
 @routine
 def gather_closed(shape: SolidParameters, work: Workspace) -> None:
-    """Note the closed points as those on the support; beside a wall some may have left it."""
-    q, n = axes_at(work.state), 0
-    beside = work.mode.kind == WALLED
-    if beside and on_rim(shape, work):
+    """List the closed points on the support alone; beside a wall some may have left it."""
+    q, beside = axes_at(work.state), work.mode.kind == WALLED
+    if beside and on_rim(work):
         find_rim(shape, work, q, vec(work.state, W))
-    for place in range(work.mode.closed):
-        point = work.closed[place]
-        if not beside or (support_gap(shape, work, q, work.state, point) <= shape.limits.landing):
-            work.near[n] = point
-            n += 1
-    work.mode.near = n
+    n = work.mode.touches if beside else work.mode.closed
+    begin_list(work)
+    for k in range(n):
+        touch = work.touches[k if beside else work.closed[k]]
+        plane, point = touch.plane, touch.point
+        near = not beside or support_gap(shape, work, q, work.state, point) <= shape.limits.landing
+        if plane == 0 and near:
+            add_near(work, point)
 
 
 @routine
@@ -539,10 +520,10 @@ def slip_part(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> 
     size = math.sqrt(dot(f, f))
     across = max(shape.mobility.xx, shape.mobility.yy)
     give = 1.0 + across * shape.h * shape.h + shape.mobility.zz * shape.reach * shape.reach
-    for place in range(work.mode.closed):
-        point = work.closed[place]
-        if slips_at(work, point):
-            v = velocity(shape, work, q, y, point)
+    for k in range(work.mode.closed):
+        place = work.closed[k]
+        if slips_at(work, place):
+            v = slip_velocity(shape, work, q, y, place)
             speed = max(shape.limits.turning, math.sqrt(v.x * v.x + v.y * v.y))
-            fastest = max(fastest, work.points[point].kinetic * size * give / speed)
+            fastest = max(fastest, work.touches[place].kinetic * size * give / speed)
     return FIRST_SLIP / (fastest * pull.length) if fastest > 0.0 else 1.0

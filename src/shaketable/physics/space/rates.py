@@ -10,8 +10,16 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
+from shaketable.physics.space.cones import NO_CONE, limit, margin_of_two, spare
 from shaketable.physics.space.constraints import ROUND_OFF, free_turning, react
-from shaketable.physics.space.contacts import arm, axes_at, find_rim, flat_margin, on_rim
+from shaketable.physics.space.contacts import (
+    arm,
+    axes_at,
+    closed_point,
+    find_rim,
+    flat_margin,
+    on_rim,
+)
 from shaketable.physics.space.flat_slip import (
     is_upright,
     slide_and_turn,
@@ -42,8 +50,6 @@ from shaketable.physics.space.workspace import (
     put,
     vec,
 )
-
-NO_CONE = 1e9  # m/s²: margin of a contact without a cone to leave
 
 
 @kernel
@@ -98,7 +104,7 @@ def rates(
         linear, turn = react_at_walls(shape, work, q, y, f)
         write_rates(dy, y, linear, turn)
         return
-    rolls = on_rim(shape, work)
+    rolls = on_rim(work)
     upright = rank == FLAT and hold == SLIPS and not rolls and is_upright(y)
     if upright and slip_flat(shape, work, q, y, f, judge, dy):
         return
@@ -126,65 +132,41 @@ def rates(
             judge_contact(shape, work, q, y)
 
 
-@kernel
-def spare(work: Workspace, place: int) -> float:
-    """μ_s N less the friction of a closed place."""
-    share = work.shares[place]
-    size = math.sqrt(share[0] * share[0] + share[1] * share[1])
-    return limit(work.points[work.closed[place]].static, share[2]) - size
-
-
-@kernel
-def limit(mu: float, pressure: float) -> float:
-    """The most friction that a pressure gives."""
-    return NO_CONE if mu > NO_CONE else mu * pressure
-
-
 @routine
 def write_side(shape: SolidParameters, work: Workspace, q: Axes) -> None:
     """Write what each end of a side that sticks bears, from what `react` has found.
 
-    The first place gets the reaction of the side's first corner, the second that of its last, but
-    for the force along the side, of which only the sum is known: it is in the third row's x.
+    Its first and its last corner get the reaction, but for the force along the side, of which only
+    the sum is known (`judged.along`).
     """
-    first, last = work.closed[work.mode.first], work.closed[work.mode.last]
-    a = on_support(q, arm(shape, work, first))
-    side = subtract(on_support(q, arm(shape, work, last)), a)
+    first, last = work.touches[work.mode.first], work.touches[work.mode.last]
+    a = on_support(q, arm(shape, work, first.point))
+    side = subtract(on_support(q, arm(shape, work, last.point)), a)
     length = math.sqrt(side.x * side.x + side.y * side.y)
     e_x, e_y = side.x / length, side.y / length
     total, moment = 0.0, 0.0  # the pressure, and its moment about the first corner
-    for place in range(work.mode.closed):
-        r = on_support(q, arm(shape, work, work.closed[place]))
-        total += work.shares[place, 2]
-        moment += work.shares[place, 2] * (e_x * (r.x - a.x) + e_y * (r.y - a.y))
+    for k in range(work.mode.closed):
+        touch = work.touches[work.closed[k]]
+        r = on_support(q, arm(shape, work, touch.point))
+        total += touch.share[2]
+        moment += touch.share[2] * (e_x * (r.x - a.x) + e_y * (r.y - a.y))
     f_x, f_y, torque = work.solved[EDGE], work.solved[EDGE + 1], work.solved[EDGE + 2]
-    origin = on_support(q, arm(shape, work, work.closed[0]))
+    origin = on_support(q, arm(shape, work, closed_point(work, 0)))
     off = e_x * (origin.x - a.x) + e_y * (origin.y - a.y)
     across = e_x * f_y - e_y * f_x
     of_last = (torque + off * across) / length
     of_first = across - of_last
-    put(work.shares[0], 0, Vec(-e_y * of_first, e_x * of_first, total - moment / length))
-    put(work.shares[1], 0, Vec(-e_y * of_last, e_x * of_last, moment / length))
-    work.shares[2, 0] = e_x * f_x + e_y * f_y
+    put(first.share, 0, Vec(-e_y * of_first, e_x * of_first, total - moment / length))
+    put(last.share, 0, Vec(-e_y * of_last, e_x * of_last, moment / length))
+    work.judged.along = e_x * f_x + e_y * f_y
 
 
 @routine
 def judge_side(work: Workspace) -> None:
     """How sure a side whose corners stick is: some split of the force along it has to hold."""
-    first, last = work.shares[0], work.shares[1]
-    work.judged.press = min(first[2], last[2])
-    spares, excess = 0.0, 0.0
-    for place in range(2):
-        share = work.shares[place]
-        point = work.closed[work.mode.first if place == 0 else work.mode.last]
-        most = max(limit(work.points[point].static, share[2]), 0.0)
-        across = math.sqrt(share[0] * share[0] + share[1] * share[1])
-        if across > most:
-            excess = max(excess, across - most)
-        else:
-            spares += math.sqrt((most - across) * (most + across))
-    margin = spares - abs(work.shares[2, 0])
-    work.judged.cone = -excess if excess > 0.0 else margin
+    first, last = work.mode.first, work.mode.last
+    work.judged.press = min(work.touches[first].share[2], work.touches[last].share[2])
+    work.judged.cone = margin_of_two(work, first, last, work.judged.along)
 
 
 @routine
@@ -192,34 +174,37 @@ def judge_contact(shape: SolidParameters, work: Workspace, q: Axes, y: Floats) -
     """How sure any other contact is."""
     rank, hold, n = work.mode.kind, work.mode.grip, work.mode.closed
     total, along, across, least = 0.0, 0.0, 0.0, 0.0
-    for place in range(n):
-        point = work.closed[place]
-        least = min(least, work.shares[place, 2])
-        total += work.shares[place, 2]
-        along += work.shares[place, 2] * work.points[point].x
-        across += work.shares[place, 2] * work.points[point].y
+    for k in range(n):
+        touch = work.touches[work.closed[k]]
+        share = touch.share[2]
+        least = min(least, share)
+        total += share
+        along += share * work.points[touch.point].x
+        across += share * work.points[touch.point].y
     work.judged.cone = NO_CONE
     if rank == CORNER:
         work.judged.press = total
         if hold == STICKS:
-            work.judged.cone = spare(work, 0)
+            work.judged.cone = spare(work, work.closed[0])
         return
     if rank == EDGE:
-        a, b = work.closed[work.mode.first], work.closed[work.mode.last]
+        a, b = work.touches[work.mode.first].point, work.touches[work.mode.last].point
         x, z = work.points[b].x - work.points[a].x, work.points[b].y - work.points[a].y
         length2 = x * x + z * z
         part = x * (along - total * work.points[a].x) + z * (across - total * work.points[a].y)
         work.judged.press = min(part / length2, total - part / length2)
     else:
         work.judged.press = flat_margin(shape, work, total, along, across)
-        if on_rim(shape, work):  # the three points of which one is the rim press or pull
-            work.judged.press = min(work.shares[0, 2], min(work.shares[1, 2], work.shares[2, 2]))
+        if on_rim(work):  # the three points of which one is the rim press or pull
+            work.judged.press = math.inf
+            for k in range(n):
+                share = work.touches[work.closed[k]].share[2]
+                work.judged.press = min(work.judged.press, share)
         if least < -ROUND_OFF * total:  # no pressures without a pull were found: it lifts
             work.judged.press = min(work.judged.press, least)
         if hold == STICKS:  # it does not turn: the resultant passes through the base as one force
-            size = math.sqrt(work.shares[0, 0] ** 2 + work.shares[0, 1] ** 2)
+            touch = work.touches[work.closed[0]]
+            size = math.sqrt(touch.share[0] ** 2 + touch.share[1] ** 2)
             work.judged.cone = limit(shape.least_static, total) - size
     if hold == PIVOTS:
-        for place in range(n):
-            if work.closed[place] == work.mode.pivot:
-                work.judged.cone = spare(work, place)
+        work.judged.cone = spare(work, work.mode.pivot)

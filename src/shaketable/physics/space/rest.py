@@ -13,13 +13,14 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
+from shaketable.physics.space.cones import limit
 from shaketable.physics.space.contacts import axes_at, flat_margin
 from shaketable.physics.space.grip import flat_grip
-from shaketable.physics.space.rates import limit
 from shaketable.physics.space.step import Pull, pull_at
 from shaketable.physics.space.straps import pulls_any
+from shaketable.physics.space.touches import add_near, begin_list
 from shaketable.physics.space.vectors import Vec
-from shaketable.physics.space.workspace import SolidParameters, Workspace
+from shaketable.physics.space.workspace import WALLED, SolidParameters, Workspace
 
 NEVER = 2.0  # in place of the part of an interval
 PAST = 1e-9  # m/s²: a body leaves its rest where it is past the limit by this much
@@ -56,18 +57,21 @@ def rest_margin(shape: SolidParameters, work: Workspace, f: Vec) -> float:
 
 @kernel
 def stand_all(shape: SolidParameters, work: Workspace) -> None:
-    """All points are on the support."""
+    """List all points: they are on the support."""
+    begin_list(work)
     for point in range(shape.contacts):
-        work.near[point] = point
-    work.mode.near = shape.contacts
+        add_near(work, point)
 
 
 @routine
 def judge_together(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
-    """Judge whether points with frictions of their own hold a body."""
+    """Judge whether points with frictions of their own hold a body, not beside a wall.
+
+    They are listed anew.
+    """
+    if work.mode.kind == WALLED:
+        return False
     stand_all(shape, work)
-    for place in range(work.mode.near):
-        work.moving[work.near[place]] = 0
     left = flat_grip(shape, work, axes_at(work.state), f, 1)
     return 0.0 <= left <= shape.limits.starting
 

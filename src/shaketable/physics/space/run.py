@@ -199,10 +199,8 @@ def begin(shape: SolidParameters, work: Workspace, f: Vec, impact_times: Floats)
     tally.peak = peak_between(work.state, work.state, 0.0)
     foot = foot_of(shape, work)
     tally.start_x, tally.start_y = foot.x, foot.y
-    for k in range(shape.contacts + 1):
-        work.moving[k] = 0
     work.judged.past = FORCE_PAST
-    work.mode.kind = work.mode.closed = 0
+    work.mode.kind = work.mode.closed = work.mode.rolls = 0
     n = axes_at(work.state).z
     sine = math.sqrt(n.x * n.x + n.y * n.y)
     work.rim.x, work.rim.y = (-n.x / sine, -n.y / sine) if sine > LEVEL else (1.0, 0.0)
@@ -318,8 +316,7 @@ def run(
     frame = tilted(stand)
     before = force_at(ground, 0, stand, frame)
     origin = foot_of(shape, work)
-    if touches_more(shape):
-        stand_at_walls(shape, work, frame.axis, frame.sine, frame.cosine)
+    stand_at_walls(shape, work, frame.axis, frame.sine, frame.cosine)
     begin(shape, work, before, trace.impact_times)
     start_yaw = work.tally.yaw
     ending, h, start, first = STILL_MOVING, ground.time_step, 0.0, 1.0
@@ -352,7 +349,7 @@ def run(
                 stays = abs(x - was_x) + abs(y - was_y) < STICK_TOLERANCE
                 was_x, was_y = x, y
                 held = with_straps(shape, work, after)
-                rests = not on_rim(shape, work) and rest_margin(shape, work, held) >= 0.0
+                rests = not on_rim(work) and rest_margin(shape, work, held) >= 0.0
                 if work.mode.grip == STICKS and (stays or rests):
                     ending = STANDING
                     break

@@ -41,16 +41,14 @@ from shaketable.physics.space.edge import (
 )
 from shaketable.physics.space.impact import strike
 from shaketable.physics.space.in_plane import keep_in_plane
-from shaketable.physics.space.modes import arrange
+from shaketable.physics.space.modes import fly
 from shaketable.physics.space.rest import stand_all
 from shaketable.physics.space.step import Pull, pull_at
 from shaketable.physics.space.straps import hold_on, pull_or_not, with_straps
-from shaketable.physics.space.together import strike_touches
-from shaketable.physics.space.touches import gather_touches, touches_more
+from shaketable.physics.space.touches import add_near, begin_list, gather_touches, touches_more
 from shaketable.physics.space.vectors import Axes, Vec, add, times
 from shaketable.physics.space.walls import push_out
 from shaketable.physics.space.workspace import (
-    SLIPS,
     STATE,
     P,
     Q,
@@ -100,14 +98,13 @@ def gather_leaning(shape: SolidParameters, work: Workspace, hovers: float) -> bo
     """List two high points and the rim, if they are as near as a settling base's corners."""
     if shape.radius == 0.0 or lies_on_rim(shape):
         return False
-    q, most, n = axes_at(work.state), settling_height(shape, hovers), 0
+    q, most = axes_at(work.state), settling_height(shape, hovers)
     find_rim(shape, work, q, vec(work.state, W))
+    begin_list(work)
     for point in range(shape.contacts + 1):
         if settles(shape, work, q, point, most):
-            work.near[n] = point
-            n += 1
-    work.mode.near = n
-    return n == 3 and work.near[2] == shape.contacts
+            add_near(work, point)
+    return work.mode.near == 3 and work.touches[2].point == shape.contacts
 
 
 @routine
@@ -129,29 +126,27 @@ def lay_flat(shape: SolidParameters, work: Workspace) -> None:
 
 @routine
 def keep_supported(shape: SolidParameters, work: Workspace) -> None:
-    """Note of the points on the support (`near`) those that have it under them."""
+    """List those points of the base that have the support under them."""
     note_past(shape, work, True)
-    q, n = axes_at(work.state), 0
-    for k in range(work.mode.near):
-        if support_gap(shape, work, q, work.state, work.near[k]) < math.inf:
-            work.near[n] = work.near[k]
-            n += 1
-    work.mode.near = n
+    q = axes_at(work.state)
+    begin_list(work)
+    for point in range(shape.contacts):
+        if support_gap(shape, work, q, work.state, point) < math.inf:
+            add_near(work, point)
 
 
 @routine
 def gather_settling_at_walls(shape: SolidParameters, work: Workspace) -> bool:
     """List touches; whether a body is as near to a wall as a settling base to the support."""
-    q, most, n = axes_at(work.state), shape.limits.landing, 0
+    q, most = axes_at(work.state), shape.limits.landing
+    begin_list(work)
     rim = shape.radius > 0.0
     if rim:
         find_rim(shape, work, q, vec(work.state, W))
     first = shape.contacts if rim and lies_on_rim(shape) else 0
     for point in range(first, shape.contacts + (1 if rim else 0)):
         if settles(shape, work, q, point, most):
-            work.near[n] = point
-            n += 1
-    work.mode.near = n
+            add_near(work, point)
     return gather_touches(shape, work, most, shape.limits.settle, 0.0) > 0
 
 
@@ -166,7 +161,6 @@ def gather_settling_at_edge(shape: SolidParameters, work: Workspace) -> bool:
         gap = support_gap(shape, work, q, work.state, point)
         if gap < math.inf:
             flat = flat and settles(shape, work, q, point, most)
-            work.near[n] = point
             n += 1
     over = n < shape.contacts
     for side in range(side_count(shape) if flat and over else 0):
@@ -176,11 +170,10 @@ def gather_settling_at_edge(shape: SolidParameters, work: Workspace) -> bool:
             flat, n = flat and slow and found.gap <= most, n + 1
     if not flat or not over or n < 3:
         return False
-    work.mode.near = 0
+    begin_list(work)
     for point in range(shape.contacts):
         if support_gap(shape, work, q, work.state, point) < math.inf:
-            work.near[work.mode.near] = point
-            work.mode.near += 1
+            add_near(work, point)
     return gather_touches(shape, work, most, shape.limits.settle, 0.0) > 0
 
 
@@ -212,22 +205,21 @@ def creep(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> int:
         put(y, V, add(vec(y, V), times(h, f)))
         put(y, W, add(spin, times(h, turn)))
         q = axes_at(y)
-        n, points = 0, shape.contacts
+        points = shape.contacts
         if shape.radius > 0.0 and not lies_on_rim(shape):
             find_rim(shape, work, q, spin)
             points += 1
+        begin_list(work)
         for point in range(points):
             speed = velocity(shape, work, q, y, point).z
             if support_gap(shape, work, q, y, point) + h * speed <= 0.0:
-                work.near[n] = point
-                n += 1
-        work.mode.near = n
+                add_near(work, point)
         for j in range(STATE):
             work.trial[j] = y[j]
-        if touches_more(shape) and gather_touches(shape, work, 0.0, math.inf, h) > 0:
-            strike_touches(shape, work, 0.0, h)
-        elif n > 0:
-            strike(shape, work, work.trial, 0.0)
+        if touches_more(shape):
+            gather_touches(shape, work, 0.0, math.inf, h)
+        if work.mode.touches > 0:
+            strike(shape, work, 0.0, h if touches_more(shape) else 0.0)
         if shape.planar:
             keep_in_plane(y)
         drift_state(y, h)
@@ -269,5 +261,4 @@ def settle_creep(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     if touches_more(shape) and gather_settling_at_walls(shape, work):
         choose_together(shape, work, f)
         return
-    work.mode.closed = 0
-    arrange(shape, work, SLIPS, 0)
+    fly(shape, work)

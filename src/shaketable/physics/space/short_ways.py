@@ -41,7 +41,8 @@ from shaketable.physics.space.workspace import (
 @kernel
 def roll(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
     """v̇ and ω̇ on a corner or a rim that does not slip; its reaction is written to the shares."""
-    point = work.closed[0]
+    touch = work.touches[work.closed[0]]
+    point = touch.point
     r = arm(shape, work, point)
     spin = vec(y, W)
     own = add(cross(spin, r), drift(shape, work, point))
@@ -53,15 +54,15 @@ def roll(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) ->
         moment = add(moment, vec(work.torque, 0))
     turn = applied(inverse(about(shape.inertia, r)), moment)
     acceleration = on_support(q, subtract(centre, cross(turn, r)))
-    put(work.shares[0], 0, subtract(acceleration, f))
+    put(touch.share, 0, subtract(acceleration, f))
     return acceleration, turn
 
 
 @kernel
 def rock(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
     """v̇ and ω̇ on a side whose corners stick; its reaction is written as `write_side` does."""
-    first = arm(shape, work, work.closed[work.mode.first])
-    last = arm(shape, work, work.closed[work.mode.last])
+    start, end = work.touches[work.mode.first], work.touches[work.mode.last]
+    first, last = arm(shape, work, start.point), arm(shape, work, end.point)
     side = subtract(last, first)
     length = math.sqrt(dot(side, side))
     e = times(1.0 / length, side)
@@ -83,9 +84,9 @@ def rock(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) ->
     difference = times(1.0 / length, cross(moment, e))  # half of last less first, across the side
     along = dot(reaction, e)
     across = times(0.5, subtract(reaction, times(along, e)))
-    put(work.shares[0], 0, on_support(q, subtract(across, difference)))
-    put(work.shares[1], 0, on_support(q, add(across, difference)))
-    work.shares[2, 0] = along
+    put(start.share, 0, on_support(q, subtract(across, difference)))
+    put(end.share, 0, on_support(q, add(across, difference)))
+    work.judged.along = along
     return on_support(q, acceleration), turn
 
 
@@ -93,8 +94,8 @@ def rock(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) ->
 def rising(
     shape: SolidParameters, work: Workspace, q: Axes, y: Floats, place: int, f: Vec, turn: Vec
 ) -> float:
-    """How fast a closed place leaves the support, at v̇ = f and an ω̇ [m/s²]."""
-    point, spin = work.closed[place], vec(y, W)
+    """How fast a closed touch leaves the support, at v̇ = f and an ω̇ [m/s²]."""
+    point, spin = work.touches[place].point, vec(y, W)
     r = arm(shape, work, point)
     own = add(cross(spin, r), drift(shape, work, point))
     return f.z + dot(q.z, add(cross(turn, r), cross(spin, own)))
@@ -102,20 +103,20 @@ def rising(
 
 @kernel
 def lifted(shape: SolidParameters, work: Workspace, q: Axes, place: int, turn: Vec) -> float:
-    """How fast a closed place leaves the support, at the ω̇ that a unit of pressure brings."""
-    return 1.0 + dot(q.z, cross(turn, arm(shape, work, work.closed[place])))
+    """How fast a closed touch leaves the support, at the ω̇ that a unit of pressure brings."""
+    return 1.0 + dot(q.z, cross(turn, arm(shape, work, work.touches[place].point)))
 
 
 @kernel
 def slip(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
     """On a corner or a rim that slips."""
-    spin = vec(y, W)
+    spin, place = vec(y, W), work.closed[0]
     free = free_turning(shape, work, spin)
-    force, torque = pressure(shape, work, q, y, 0, resistance(shape, q, spin))
+    force, torque = pressure(shape, work, q, y, place, resistance(shape, q, spin))
     turn = applied(shape.mobility, torque)
-    gets = lifted(shape, work, q, 0, turn)
-    a = -rising(shape, work, q, y, 0, f, free) / gets if gets != 0.0 else 0.0
-    put(work.shares[0], 0, times(a, force))
+    gets = lifted(shape, work, q, place, turn)
+    a = -rising(shape, work, q, y, place, f, free) / gets if gets != 0.0 else 0.0
+    put(work.touches[place].share, 0, times(a, force))
     return add(f, times(a, force)), add(free, times(a, turn))
 
 
@@ -124,21 +125,21 @@ def slip_on_two(
     shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec
 ) -> tuple[Vec, Vec]:
     """On a side both of whose corners slip."""
-    spin = vec(y, W)
+    spin, first, last = vec(y, W), work.closed[0], work.closed[1]
     free = free_turning(shape, work, spin)
     resists = resistance(shape, q, spin)
-    force_a, torque_a = pressure(shape, work, q, y, 0, resists)
-    force_b, torque_b = pressure(shape, work, q, y, 1, resists)
+    force_a, torque_a = pressure(shape, work, q, y, first, resists)
+    force_b, torque_b = pressure(shape, work, q, y, last, resists)
     turn_a, turn_b = applied(shape.mobility, torque_a), applied(shape.mobility, torque_b)
-    aa, ab = lifted(shape, work, q, 0, turn_a), lifted(shape, work, q, 0, turn_b)
-    ba, bb = lifted(shape, work, q, 1, turn_a), lifted(shape, work, q, 1, turn_b)
-    rise_a = rising(shape, work, q, y, 0, f, free)
-    rise_b = rising(shape, work, q, y, 1, f, free)
+    aa, ab = lifted(shape, work, q, first, turn_a), lifted(shape, work, q, first, turn_b)
+    ba, bb = lifted(shape, work, q, last, turn_a), lifted(shape, work, q, last, turn_b)
+    rise_a = rising(shape, work, q, y, first, f, free)
+    rise_b = rising(shape, work, q, y, last, f, free)
     determinant, a, b = aa * bb - ab * ba, 0.0, 0.0
     if abs(determinant) > SINGULAR * (aa * aa + ab * ab + ba * ba + bb * bb):
         a = (ab * rise_b - bb * rise_a) / determinant
         b = (ba * rise_a - aa * rise_b) / determinant
-    put(work.shares[0], 0, times(a, force_a))
-    put(work.shares[1], 0, times(b, force_b))
+    put(work.touches[first].share, 0, times(a, force_a))
+    put(work.touches[last].share, 0, times(b, force_b))
     linear = add(f, add(times(a, force_a), times(b, force_b)))
     return linear, add(free, add(times(a, turn_a), times(b, turn_b)))

@@ -14,6 +14,7 @@ from shaketable.physics.dormand_prince import NODES, error_of, to_stage
 from shaketable.physics.space.contacts import (
     arm,
     axes_at,
+    closed_point,
     find_rim,
     normalise,
     on_rim,
@@ -103,7 +104,7 @@ def put_back(shape: SolidParameters, work: Workspace, y: Floats) -> None:
     if rank == WALLED:
         put_back_at_walls(shape, work, y)
         return
-    rolls = on_rim(shape, work)
+    rolls = on_rim(work)
     if rank == FLAT:
         if rolls:
             keep_leaning(shape, work, y)
@@ -116,7 +117,7 @@ def put_back(shape: SolidParameters, work: Workspace, y: Floats) -> None:
             y[P + 2] = shape.h
         y[V + 2] = 0.0
         if hold == PIVOTS:
-            hold_point(shape, work, y, work.mode.pivot)
+            hold_point(shape, work, y, work.touches[work.mode.pivot].point)
         elif hold == STICKS:  # whatever impacts that did not converge have left
             y[V] = y[V + 1] = y[W] = y[W + 1] = y[W + 2] = 0.0
         return
@@ -126,7 +127,7 @@ def put_back(shape: SolidParameters, work: Workspace, y: Floats) -> None:
         level_side(shape, work, y, hold == STICKS, rolls)
         if rolls:
             find_rim(shape, work, axes_at(y), vec(y, W))
-    point = work.mode.pivot if hold == PIVOTS else work.closed[0]
+    point = work.touches[work.mode.pivot if hold == PIVOTS else work.closed[0]].point
     if hold != SLIPS:
         hold_point(shape, work, y, point)
         return
@@ -143,8 +144,8 @@ def keep_leaning(shape: SolidParameters, work: Workspace, y: Floats) -> None:
     find_rim(shape, work, q, vec(y, W))
     put(y, W, times(dot(q.z, vec(y, W)), q.z))
     deepest = 0.0
-    for place in range(work.mode.closed):
-        deepest = min(deepest, dot(q.z, arm(shape, work, work.closed[place])))
+    for k in range(work.mode.closed):
+        deepest = min(deepest, dot(q.z, arm(shape, work, closed_point(work, k))))
     y[P + 2] = -deepest
 
 

@@ -1,7 +1,9 @@
-"""What a solid touches where it touches a wall: points on the support and on walls, in one list.
+"""What a solid touches, in one list: points on the support first, then on walls and at the edge.
 
 A touch has the shape of every contact: a lever from the centre of gravity, a frame of two tangents
-and a normal, frictions. Its vectors are along that frame: two tangents, then the normal.
+and a normal, frictions. Its vectors are along that frame: two tangents, then the normal. Of points
+on the support these are known without it (`contacts`), so that it is written where all that touches
+decides together.
 """
 
 from __future__ import annotations
@@ -9,7 +11,15 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.contacts import LEAST_SLIP, arm, axes_at, drift, find_rim, height
+from shaketable.physics.space.contacts import (
+    acceleration,
+    arm,
+    axes_at,
+    drift,
+    find_rim,
+    height,
+    velocity,
+)
 from shaketable.physics.space.edge import (
     DEEP,
     TIE,
@@ -29,6 +39,9 @@ from shaketable.physics.space.workspace import (
     BEHIND_LIP,
     BEHIND_SIDES,
     MOST_TOUCHES,
+    PIVOTS,
+    STICKS,
+    WALLED,
     Floats,
     SolidParameters,
     Touch,
@@ -66,21 +79,40 @@ def lever_of(work: Workspace, place: int) -> Vec:
 
 
 @routine
+def begin_list(work: Workspace) -> None:
+    """Begin a list anew: nothing is touched."""
+    work.mode.touches = work.mode.near = 0
+
+
+@routine
 def add_touch(work: Workspace, plane: int, point: int) -> None:
     """Add a touch that does not slip and carries nothing; frame and lever are not written yet."""
     place = work.mode.touches
-    if place == MOST_TOUCHES:
+    if place >= MOST_TOUCHES - (plane > 0):  # a rim may have to follow
         return
     row = work.touches[place]
     row.plane, row.point = plane, point
-    row.moves = row.carries = 0
-    row.slip_x = row.slip_y = 0.0
     if plane == 0:
         row.static, row.kinetic = work.points[point].static, work.points[point].kinetic
     else:
         row.static = row.kinetic = work.planes[plane].friction
-    put(work.shares[place], 0, ZERO)
+    let_be(row)
     work.mode.touches = place + 1
+
+
+@kernel
+def let_be(touch: Touch) -> None:
+    """Let a touch neither slip nor carry."""
+    touch.moves = touch.carries = 0
+    touch.slip_x = touch.slip_y = 0.0
+    put(touch.share, 0, ZERO)
+
+
+@routine
+def add_near(work: Workspace, point: int) -> None:
+    """Add a point on the support to those that the list begins with."""
+    add_touch(work, 0, point)
+    work.mode.near = work.mode.touches
 
 
 @routine
@@ -111,17 +143,17 @@ def look_at_touches(shape: SolidParameters, work: Workspace, q: Axes, y: Floats)
 def gather_touches(
     shape: SolidParameters, work: Workspace, within: float, leaving: float, ahead: float
 ) -> int:
-    """List the points on the support that are noted (`near`), and what else touches; count these.
+    """List what touches beside the points on the support, with which the list begins; count these.
 
     Args:
         within: how near to its surface a touch must be [m], after the time ahead [s].
         leaving: one that leaves it faster is not listed [m/s].
     """
     y = work.state
-    work.mode.touches = 0
-    for k in range(work.mode.near):
-        add_touch(work, 0, work.near[k])
-    q, support = axes_at(y), work.mode.touches
+    q, support = axes_at(y), work.mode.near
+    work.mode.touches = support
+    for place in range(support):
+        let_be(work.touches[place])
     for wall in range(1, shape.walls + 1):
         for point in range(shape.outline):
             speed = wall_speed(shape, work, q, y, wall, point)
@@ -207,26 +239,13 @@ def touch_gap(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, place
 
 
 @routine
-def is_carrying(work: Workspace, plane: int, point: int) -> bool:
-    """Whether a point is a touch that carries."""
+def is_closed(work: Workspace, plane: int, point: int) -> bool:
+    """Whether a point, of the support's contacts or of the outline, is closed on a plane."""
     found = False
-    for place in range(work.mode.touches):
-        same = plane_of(work, place) == plane and point_of(work, place) == point
-        found = found or (same and work.touches[place].carries > 0)
+    for k in range(work.mode.closed):
+        touch = work.touches[work.closed[k]]
+        found = found or (touch.plane == plane and touch.point == point)
     return found
-
-
-@routine
-def touch_slip(shape: SolidParameters, work: Workspace, place: int, u: Vec) -> tuple[float, float]:
-    """Unit vector that friction at a slipping touch opposes (as `slip_direction`)."""
-    x, y = u.x, u.y
-    speed = math.sqrt(x * x + y * y)
-    kept = shape.limits.turning - speed
-    if kept > 0.0:
-        x += kept * work.touches[place].slip_x
-        y += kept * work.touches[place].slip_y
-        speed = max(math.sqrt(x * x + y * y), LEAST_SLIP)
-    return x / speed, y / speed
 
 
 @kernel
@@ -237,6 +256,7 @@ def copy_touch(to: Touch, other: Touch) -> None:
         other.slip_x, other.slip_y, other.static, other.kinetic,
     )  # fmt: skip
     to.bend = other.bend
+    put(to.share, 0, vec(other.share, 0))
     put(to.lever, 0, vec(other.lever, 0))
     put(to.along, 0, vec(other.along, 0))
     put(to.tangent, 0, vec(other.tangent, 0))
@@ -250,29 +270,69 @@ def drop_touch(work: Workspace, place: int) -> None:
     last = work.mode.touches - 1
     for at in range(place, last):
         copy_touch(work.touches[at], work.touches[at + 1])
-        for j in range(3):
-            work.shares[at, j] = work.shares[at + 1, j]
     work.mode.touches = last
+    work.mode.near -= place < work.mode.near
 
 
 @routine
-def note_moving(shape: SolidParameters, work: Workspace, q: Axes, least: float) -> None:
-    """Write which touches slip faster [m/s], and along what."""
-    for place in range(work.mode.touches):
+def slip_velocity(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, place: int) -> Vec:
+    """Velocity of a touch, along its frame, which of one on the support need not be written."""
+    touch = work.touches[place]
+    if touch.plane == 0:
+        return velocity(shape, work, q, y, touch.point)
+    return touch_velocity(work, q, y, place)
+
+
+@routine
+def slip_acceleration(
+    shape: SolidParameters, work: Workspace, q: Axes, y: Floats, dy: Floats, place: int
+) -> Vec:
+    """How fast that changes, at the rates of the state."""
+    touch = work.touches[place]
+    if touch.plane == 0:
+        return acceleration(shape, work, q, y, dy, touch.point)
+    return touch_acceleration(work, q, y, vec(dy, V), vec(dy, W), place)
+
+
+@routine
+def note_moving(shape: SolidParameters, work: Workspace, q: Axes, n: int, least: float) -> int:
+    """Write which of the first n touches slip faster [m/s], and along what; count them."""
+    moving = 0
+    for place in range(n):
         touch = work.touches[place]
-        u = touch_velocity(work, q, work.state, place)
+        u = slip_velocity(shape, work, q, work.state, place)
         speed = math.sqrt(u.x * u.x + u.y * u.y)
         touch.moves = 1 if speed > least and touch.static < math.inf else 0
         if touch.moves > 0:
+            moving += 1
             touch.slip_x, touch.slip_y = u.x / speed, u.y / speed
+    return moving
+
+
+@kernel
+def slips_at(work: Workspace, place: int) -> bool:
+    """Whether a closed touch slips in the present mode."""
+    if work.mode.kind == WALLED:
+        return work.touches[place].moves > 0
+    return work.mode.grip != STICKS and not (work.mode.grip == PIVOTS and place == work.mode.pivot)
 
 
 @routine
 def note_slips(shape: SolidParameters, work: Workspace, q: Axes) -> None:
-    """Write along what the touches slip that do, as a step begins."""
-    for place in range(work.mode.touches):
-        touch = work.touches[place]
-        u = touch_velocity(work, q, work.state, place)
-        speed = math.sqrt(u.x * u.x + u.y * u.y)
-        if touch.moves > 0 and speed > shape.limits.turning:
-            touch.slip_x, touch.slip_y = u.x / speed, u.y / speed
+    """Write along what the closed touches slip that do, as a step begins."""
+    for k in range(work.mode.closed):
+        place = work.closed[k]
+        if slips_at(work, place):
+            touch, u = work.touches[place], slip_velocity(shape, work, q, work.state, place)
+            speed = math.sqrt(u.x * u.x + u.y * u.y)
+            if speed > shape.limits.turning:
+                touch.slip_x, touch.slip_y = u.x / speed, u.y / speed
+
+
+@kernel
+def closed_on_support(work: Workspace) -> int:
+    """How many touches on the support are closed."""
+    n = 0
+    for k in range(work.mode.closed):
+        n += work.touches[work.closed[k]].plane == 0
+    return n

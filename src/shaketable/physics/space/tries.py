@@ -20,6 +20,7 @@ from shaketable.physics.space.touches import (
 from shaketable.physics.space.vectors import Axes, Vec
 from shaketable.physics.space.walled import (
     DEPENDENT,
+    LIKE_LEAST,
     MAY_PRESS,
     PRESSES,
     PULLS,
@@ -43,7 +44,6 @@ DEPENDENT_SLACK = 1e-3
 AT_EDGE = 1e-6  # of the friction: a touch whose reaction is further inside its cone sticks
 STARTS = 1e-6  # m/s²: what is accelerated by less neither slips, nor leaves, nor ends its rest
 MOST_TRIES = 8  # to find which touches carry, and which slip
-LIKE_LEAST = 0.5  # of the largest pull: what pulls by more lets go together with it
 # Of `try_by_planes`: what touches do, how many planes at the most, and how often slips are turned.
 SLIDES, LEAVES, MOST_PLANES, TURNS = 1, 2, 4, 4
 
@@ -60,7 +60,8 @@ def try_letting_slip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -
         if work.judged.press < -SLACK or work.judged.cone >= -SLACK:
             break
         for place in range(work.mode.touches):
-            touch, share = work.touches[place], work.shares[place]
+            touch = work.touches[place]
+            share = touch.share
             pull = math.sqrt(share[0] * share[0] + share[1] * share[1])
             # of those alike, which need as much, none slips alone
             most = (1.0 - AT_EDGE) * touch.static * share[2]
@@ -76,7 +77,8 @@ def begin_slip(shape: SolidParameters, work: Workspace, q: Axes, place: int) -> 
 
     Without such friction it goes where it is accelerated.
     """
-    touch, share = work.touches[place], work.shares[place]
+    touch = work.touches[place]
+    share = touch.share
     u = touch_velocity(work, q, work.state, place)
     x, y = u.x, u.y
     if math.sqrt(x * x + y * y) <= shape.limits.slipping:
@@ -144,7 +146,7 @@ def set_carrying(work: Workspace, way: int) -> None:
 def set_by_plane(shape: SolidParameters, work: Workspace, q: Axes, way: int) -> None:
     """Write what all touches do in a way; what begins to slip does so as it is accelerated now."""
     set_carrying(work, way)
-    note_moving(shape, work, q, shape.limits.slow)
+    note_moving(shape, work, q, work.mode.touches, shape.limits.slow)
     dy = work.stages[0]
     for place in range(work.mode.touches):
         touch = work.touches[place]
@@ -203,7 +205,8 @@ def let_slip(shape: SolidParameters, work: Workspace, q: Axes) -> None:
     """Let those touches begin to slip whose reaction is at its cone's edge and that accelerate."""
     y, dy = work.state, work.stages[0]
     for place in range(work.mode.touches):
-        touch, share = work.touches[place], work.shares[place]
+        touch = work.touches[place]
+        share = touch.share
         a = touch_acceleration(work, q, y, vec(dy, V), vec(dy, W), place)
         along = math.sqrt(a.x * a.x + a.y * a.y)
         pull = math.sqrt(share[0] * share[0] + share[1] * share[1])
@@ -221,10 +224,10 @@ def drop_pull(work: Workspace) -> bool:
     """
     least = 0.0
     for place in range(work.mode.touches):
-        least = min(least, work.shares[place, 2])
+        least = min(least, work.touches[place].share[2])
     for place in range(work.mode.touches):
         if work.touches[place].carries == DEPENDENT:
             work.touches[place].carries = MAY_PRESS
-        if least < -SLACK and work.shares[place, 2] < LIKE_LEAST * least:
+        if least < -SLACK and work.touches[place].share[2] < LIKE_LEAST * least:
             work.touches[place].carries = PULLS
     return least < -SLACK

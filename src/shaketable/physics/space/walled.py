@@ -12,8 +12,9 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
+from shaketable.physics.space.cones import NO_CONE, margin_of_two, split_along
 from shaketable.physics.space.constraints import add_to, fill, free_turning, measured
-from shaketable.physics.space.contacts import axes_at, turn_in_body
+from shaketable.physics.space.contacts import axes_at, slip_direction, turn_in_body
 from shaketable.physics.space.edge import has_edge, line_plane
 from shaketable.physics.space.linear import solve
 from shaketable.physics.space.losses import resistance
@@ -23,7 +24,6 @@ from shaketable.physics.space.touches import (
     look_at_touches,
     plane_of,
     touch_gap,
-    touch_slip,
     touch_velocity,
 )
 from shaketable.physics.space.vectors import (
@@ -36,6 +36,7 @@ from shaketable.physics.space.vectors import (
     dot,
     on_body,
     on_support,
+    subtract,
     times,
 )
 from shaketable.physics.space.workspace import (
@@ -58,7 +59,7 @@ INDEPENDENT = 1e-6  # square of what of a row must not follow from the others, b
 MOST_SHIFT = (
     100.0  # times the largest gap: rows that would move a body farther are all but dependent
 )
-NO_CONE = 1e9  # m/s²
+LIKE_LEAST = 0.5  # of the largest pull: what pulls by more lets go together with it
 
 
 @routine
@@ -166,14 +167,14 @@ def write_mode(shape: SolidParameters, work: Workspace, q: Axes) -> None:
     look_at_touches(shape, work, q, work.state)
     for place in range(n):
         for j in range(6):
-            work.spread[place, j] = 0.0
+            work.touches[place].spread[j] = 0.0
     for first in (PRESSES, MAY_PRESS):
         for place in range(n):
             if work.touches[place].carries == first:
                 k = work.mode.rows
                 if keep_row(shape, work, place, PRESSURE):
                     work.touches[place].carries = PRESSES
-                    work.spread[place, k] = 1.0
+                    work.touches[place].spread[k] = 1.0
                 elif first == PRESSES:
                     spread_out(work, place)
                 else:
@@ -187,7 +188,7 @@ def spread_out(work: Workspace, place: int) -> None:
     """Write how the pressure of a touch that was just found to follow does so."""
     for j in range(work.mode.rows):
         for i in range(work.mode.rows):
-            work.spread[place, j] += work.parts[i] * work.made_of[i, j]
+            work.touches[place].spread[j] += work.parts[i] * work.made_of[i, j]
 
 
 @routine
@@ -207,15 +208,15 @@ def add_pressures(
         frame, r = frame_of(work, place), lever_of(work, place)
         force = frame.z
         if friction and touch.moves > 0:
-            x, z = touch_slip(shape, work, place, touch_velocity(work, axes_at(y), y, place))
+            x, z = slip_direction(shape, work, place, touch_velocity(work, axes_at(y), y, place))
             mu = touch.kinetic
             force = add(force, add(times(-mu * x, frame.x), times(-mu * z, frame.y)))
         torque = cross(r, force)
         if friction and plane_of(work, place) == 0:
             torque = add(torque, resists)
         for i in range(k):
-            if work.spread[place, i] != 0.0:
-                add_to(work.columns, i, work.spread[place, i], force, torque)
+            if touch.spread[i] != 0.0:
+                add_to(work.columns, i, touch.spread[i], force, torque)
 
 
 @routine
@@ -254,16 +255,14 @@ def react_at_walls(
 @routine
 def judge_touches(shape: SolidParameters, work: Workspace) -> None:
     """Write how sure the mode is: the least pressure, and the least margin to a friction cone."""
-    for place in range(work.mode.touches):
-        put(work.shares[place], 0, Vec(0.0, 0.0, 0.0))
     least = NO_CONE
     for place in range(work.mode.touches):
-        if work.touches[place].carries == PRESSES:
-            share = 0.0
+        touch = work.touches[place]
+        put(touch.share, 0, ZERO)
+        if touch.carries == PRESSES:
             for i in range(work.mode.pressures):
-                share += work.spread[place, i] * work.solved[i]
-            work.shares[place, 2] = share
-            least = min(least, share)
+                touch.share[2] += touch.spread[i] * work.solved[i]
+            least = min(least, touch.share[2])
     work.judged.press, work.judged.cone = least, NO_CONE
     for plane in range(plane_count(shape)):
         work.judged.cone = min(work.judged.cone, plane_margin(work, plane))
@@ -273,8 +272,8 @@ def judge_touches(shape: SolidParameters, work: Workspace) -> None:
 def plane_margin(work: Workspace, plane: int) -> float:
     """The friction that is left on a plane, at the touch that has least of it [m/s²]; writes all.
 
-    The touches that stick share it as pressure times a rigid field about its centre, which is one
-    way to do so.
+    Two touches that stick share the force along their line as some split allows, more of them as
+    pressure times a rigid field about its centre, which is one way to do so.
     """
     first, f_x, f_y, torque = -1, 0.0, 0.0, 0.0
     for i in range(work.mode.rows):
@@ -289,12 +288,16 @@ def plane_margin(work: Workspace, plane: int) -> float:
                 torque = work.solved[i]
     if first < 0:
         return NO_CONE
-    total, x, y = 0.0, 0.0, 0.0
+    total, x, y, count, last = 0.0, 0.0, 0.0, 0, first
     for place in range(work.mode.touches):
         if holds_at(work, place, plane):
             at = on_support(frame_of(work, place), lever_of(work, place))
-            share = work.shares[place, 2]
-            total, x, y = total + share, x + share * at.x, y + share * at.y
+            share = work.touches[place].share[2]
+            total, x, y, count, last = (
+                total + share, x + share * at.x, y + share * at.y, count + 1, place,
+            )  # fmt: skip
+    if count == 2:
+        return pair_margin(work, first, last, f_x, f_y, torque)
     if total <= 0.0:
         return total - math.sqrt(f_x * f_x + f_y * f_y)
     x, y, second = x / total, y / total, 0.0
@@ -303,18 +306,47 @@ def plane_margin(work: Workspace, plane: int) -> float:
     for place in range(work.mode.touches):
         if holds_at(work, place, plane):
             at = on_support(frame_of(work, place), lever_of(work, place))
-            second += work.shares[place, 2] * ((at.x - x) ** 2 + (at.y - y) ** 2)
+            share = work.touches[place].share[2]
+            second += share * ((at.x - x) ** 2 + (at.y - y) ** 2)
     twist = torque / second if second > 0.0 else 0.0
     least = NO_CONE
     for place in range(work.mode.touches):
         if holds_at(work, place, plane):
             at = on_support(frame_of(work, place), lever_of(work, place))
             t_x, t_y = f_x / total - twist * (at.y - y), f_y / total + twist * (at.x - x)
-            share = work.shares[place, 2]
-            work.shares[place, 0], work.shares[place, 1] = share * t_x, share * t_y
-            mu = min(work.touches[place].static, NO_CONE)
+            touch = work.touches[place]
+            touch.share[0], touch.share[1] = touch.share[2] * t_x, touch.share[2] * t_y
+            mu = min(touch.static, NO_CONE)
             least = min(least, (mu - math.sqrt(t_x * t_x + t_y * t_y)) * total)
     return least
+
+
+@routine
+def pair_margin(
+    work: Workspace, first: int, last: int, f_x: float, f_y: float, torque: float
+) -> float:
+    """As `plane_margin`, of two touches.
+
+    Args:
+        f_x, f_y: the force of both.
+        torque: about the normal, at the first.
+    """
+    frame = frame_of(work, first)
+    side = on_support(frame, subtract(lever_of(work, last), lever_of(work, first)))
+    length = math.sqrt(side.x * side.x + side.y * side.y)
+    if length == 0.0:
+        return 0.0
+    e_x, e_y = side.x / length, side.y / length
+    of_last = torque / length
+    of_first = e_x * f_y - e_y * f_x - of_last
+    for place in (first, last):
+        across = of_first if place == first else of_last
+        touch = work.touches[place]
+        touch.share[0], touch.share[1] = -e_y * across, e_x * across
+    along = e_x * f_x + e_y * f_y
+    margin = margin_of_two(work, first, last, along)
+    split_along(work, first, last, along, e_x, e_y)
+    return margin
 
 
 @kernel
@@ -345,7 +377,22 @@ def put_back_at_walls(shape: SolidParameters, work: Workspace, y: Floats) -> Non
     if max(size, turns) <= MOST_SHIFT * widest:
         put(y, P, add(vec(y, P), on_support(q, shift)))
         turn_in_body(y, turn)
-    q = axes_at(y)
+    end_velocities(shape, work, y)
+
+
+@routine
+def let_closed_carry(work: Workspace) -> None:
+    """Let those touches carry that are closed."""
+    for place in range(work.mode.touches):
+        work.touches[place].carries = PULLS
+    for k in range(work.mode.closed):
+        work.touches[work.closed[k]].carries = PRESSES
+
+
+@routine
+def end_velocities(shape: SolidParameters, work: Workspace, y: Floats) -> None:
+    """End the velocities that the rows do not allow, by the least change."""
+    q, k = axes_at(y), work.mode.rows
     look_at_touches(shape, work, q, y)
     linear, spin = on_body(q, vec(y, V)), vec(y, W)
     for i in range(k):

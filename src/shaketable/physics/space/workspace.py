@@ -23,6 +23,7 @@ from shaketable.compiled import kernel
 from shaketable.physics.space.vectors import Sym, Vec
 
 Floats = NDArray[np.float64]
+Floats6 = NDArray[np.float64]  # six, as a field of a record; `Floats` are three there
 Integers = NDArray[np.int64]
 
 # Where a state's numbers lie.
@@ -30,7 +31,7 @@ P, Q, V, W, STATE = 0, 3, 7, 10, 13
 BETWEEN = 7  # the row of the stages that a look between two steps writes
 MOST_STRAPS = 8
 MOST_WALLS = 4
-MOST_TOUCHES, MOST_OUTLINE = 48, 32
+MOST_TOUCHES, MOST_OUTLINE = 112, 32
 MOST_SIDES = 3 * MOST_OUTLINE // 2  # of a body, which the edge of its support may meet
 FLIGHT, CORNER, EDGE, FLAT, WALLED = range(5)  # kinds of a mode: how the closed points lie
 SLIPS, PIVOTS, STICKS = range(3)  # grips of a mode: what keeps them from slipping
@@ -95,47 +96,62 @@ class Plane:
 
 
 class Touch:
-    """A contact on any plane, of a mode beside a wall; `touches` writes it."""
+    """A contact of the body, on any plane.
+
+    `touches` lists it and writes where it is, which is asked of those on walls, or where all decide
+    together; what decides a mode writes the rest.
+    """
 
     plane: int  # 0 is the support, then walls; `edge` numbers the face of a lip and the line
     point: int  # of the support's contacts, or of the outline; of the line which side it meets
     moves: int  # 1 if it slips
-    carries: int  # what it may bear: as `walled` says
-    slip_x: float  # where it slips, along the tangents
+    carries: int  # of a mode beside a wall, what it may bear: as `walled` says
+    slip_x: float  # where it slips, along the tangents, as the step began
     slip_y: float
     static: float  # μ_s
     kinetic: float  # μ_k
-    lever: Floats  # (3,): r, body frame [m]
-    along: Floats  # (3,): how fast that moves along the body [m/s]
+    lever: Floats  # r, body frame [m]
+    along: Floats  # how fast that moves along the body [m/s]
     bend: float  # what the turning of its normal adds to the acceleration of its gap [m/s²]
-    tangent: Floats  # (3,): of its plane, as the body sees it
-    binormal: Floats  # (3,)
-    normal: Floats  # (3,)
+    tangent: Floats  # of its plane, as the body sees it
+    binormal: Floats
+    normal: Floats
+    share: Floats  # its reaction: along its tangents and its normal [m/s²; of impacts m/s]
+    free: Floats  # its velocity or acceleration without any reaction, likewise
+    goal: float  # the least of it along the normal afterwards
+    own: Floats6  # its response to its own reaction, as Sym
+    basis: Floats  # how the pressure may be shared on the support (`constraints`)
+    active: int  # 1 if it has a part of the pressure there, of which some may pull
+    spread: Floats6  # its pressure for a unit of each row's unknown (`walled`)
+    found: Floats  # its reaction that was found, while others are tried
+    carried: int  # what it may bear, while all are put back
 
 
 class Mode:
-    """The contact mode: `modes` writes how points lie, `closing` and `touches` which are near."""
+    """The contact mode: `modes` writes how points lie, `closing` and `touches` what is listed."""
 
     kind: int  # FLIGHT, CORNER, EDGE, FLAT or WALLED
     grip: int  # SLIPS, PIVOTS or STICKS
-    pivot: int  # row of the point that sticks, where only one does
-    closed: int  # how many points are closed
-    first: int  # places, among the closed, of the two that are farthest apart
+    pivot: int  # place of the touch that sticks, where only one does
+    touches: int  # how many touches are listed
+    near: int  # how many of them are on the support: the first ones
+    closed: int  # how many of them are closed
+    rolls: int  # 1 if the lowest point of a rim is
+    first: int  # places, in the list, of the two closed ones that are farthest apart
     last: int
-    near: int  # how many points are on the support
-    touches: int  # how many touches there are, of a mode beside a wall
-    rows: int  # how many rows `kept` has, of such a mode
+    rows: int  # how many rows `kept` has, of a mode beside a wall
     pressures: int  # the first so many of these are pressures
 
 
 class Judged:
     """What the reactions say of the mode [m/s²]; negative where it ends.
 
-    `rates` and, beside walls, `walled` write the first two, `events` and `interval` the others.
+    `rates` and, beside walls, `walled` write the first three, `events` and `interval` the others.
     """
 
     press: float  # the least pressure
     cone: float  # the least margin to the edge of the friction cone
+    along: float  # the force along a side that sticks, of which its ends have a part each
     press_before: float  # what they were as the step began
     cone_before: float
     past: float  # how far below zero they must be to end the mode
@@ -237,13 +253,8 @@ class Workspace(NamedTuple):
     stages: Floats  # (8, STATE): rates; the last row is for a look between two steps
     between: Floats  # (4, STATE): the polynomial through a step
     mode: Mode
-    closed: Integers  # (n,): rows of the closed points
-    near: Integers  # (n,): rows of the points on the support, before it is known which stay
-    slip: Floats  # (n, 2): direction in which each point slips, as the step began
-    moving: Integers  # (n,): 1 if it slips
-    carries: Integers  # (n,): 1 if it carries part of the pressure, by closed place
-    basis: Floats  # (n, 3): how the pressure may be shared, by closed place
-    shares: Floats  # (n, 3): reactions, by closed place
+    touches: Sequence[Touch]  # (MOST_TOUCHES,): the list: what may bear something, or lands
+    closed: Integers  # (MOST_TOUCHES,): places in the list of what is closed
     judged: Judged
     rim: Rim
     rows: Floats  # (6, 6): constraints
@@ -251,9 +262,6 @@ class Workspace(NamedTuple):
     system: Floats  # (6, 7)
     solved: Floats  # (6,)
     anchor: Floats  # (4,): what a sticking contact keeps: point x, y; direction x, y
-    free: Floats  # (n, 3): velocity or acceleration of each closed place without reaction
-    goal: Floats  # (n,): the least of it along the normal afterwards
-    local: Floats  # (n, 6): response of each closed place to its own reaction
     effects: Floats  # (n + 4, 6): what each constraint gets from a unit of each reaction
     tally: Tally
     straps: Sequence[HeldStrap]  # (MOST_STRAPS,)
@@ -264,15 +272,11 @@ class Workspace(NamedTuple):
     outline: Floats  # (MOST_OUTLINE, 3): points that may touch walls, body frame; rims' centres
     past: Integers  # (n,): 1 for each point of the base that is past the edge; `edge` writes it
     behind: Integers  # (BEHIND,): 1 for each surface of an edge that the body is behind
-    touches: Sequence[Touch]  # (MOST_TOUCHES,)
     kept: Integers  # (6, 2): the touch and the component of each row
     independent: Floats  # (6, 6): these rows, made orthogonal to one another
     made_of: Floats  # (6, 6): each of those, in rows
     parts: Floats  # (6,): along each of them, what of the row that was looked at last
-    spread: Floats  # (MOST_TOUCHES, 6): pressure of each touch for a unit of each row's unknown
     change: Floats  # (6,): of velocity or acceleration, and of spin, by all touches; body frame
-    found: Floats  # (MOST_TOUCHES, 3): the reactions of all touches, while others are tried
-    found_carries: Integers  # (MOST_TOUCHES,): what they carry, while all are put back
     kept_state: Floats  # (STATE,): before a mode is tried
 
 
@@ -288,21 +292,12 @@ _SIZES: dict[str, tuple[int, ...]] = {
     "trial": (STATE,),
     "stages": (BETWEEN + 1, STATE),
     "between": (4, STATE),
-    "closed": (MOST,),
-    "near": (MOST,),
-    "slip": (MOST, 2),
-    "moving": (MOST,),
-    "carries": (MOST,),
-    "basis": (MOST, 3),
-    "shares": (MOST, 3),
+    "closed": (MOST_TOUCHES,),
     "rows": (6, 6),
     "columns": (6, 6),
     "system": (6, 7),
     "solved": (6,),
     "anchor": (4,),
-    "free": (MOST, 3),
-    "goal": (MOST,),
-    "local": (MOST, 6),
     "effects": (MOST + 4, 6),
     "held": (MOST_STRAPS,),
     "torque": (3,),
@@ -313,22 +308,15 @@ _SIZES: dict[str, tuple[int, ...]] = {
     "independent": (6, 6),
     "made_of": (6, 6),
     "parts": (6,),
-    "spread": (MOST_TOUCHES, 6),
     "change": (6,),
-    "found": (MOST_TOUCHES, 3),
-    "found_carries": (MOST_TOUCHES,),
     "kept_state": (STATE,),
 }
 _INTEGERS = {
     "closed",
-    "near",
-    "moving",
-    "carries",
     "held",
     "kept",
     "past",
     "behind",
-    "found_carries",
 }
 #: Fields that are records, and how many there are of each; none of one alone.
 _RECORDS: dict[str, tuple[type, tuple[int, ...]]] = {
@@ -345,8 +333,13 @@ _RECORDS: dict[str, tuple[type, tuple[int, ...]]] = {
 
 
 def record_type(fields: type) -> np.dtype[np.void]:
-    """The type of a record, by the annotations of a class; `Floats` are vectors."""
-    kinds = {"int": (np.int64, ()), "float": (np.float64, ()), "Floats": (np.float64, (3,))}
+    """The type of a record, by the annotations of a class."""
+    kinds = {
+        "int": (np.int64, ()),
+        "float": (np.float64, ()),
+        "Floats": (np.float64, (3,)),
+        "Floats6": (np.float64, (6,)),
+    }
     return np.dtype([(name, *kinds[kind]) for name, kind in fields.__annotations__.items()])
 
 
