@@ -39,12 +39,14 @@ from shaketable.physics.space.workspace import (
 )
 
 # A solve for forces only selects the mode (who slips, who leaves): the rates of that mode then give
-# the accelerations exactly. Impulses are used as they are found.
+# the accelerations exactly. It is solved until what is left is no acceleration that `Thresholds`
+# call a start: ten times as far off, one corner of a side that slips would leave. Impulses are used
+# as they are found.
 SWEEPS = 500
 #: After so many solves of a run that did not converge, limit later ones to so many sweeps.
 MAX_UNCONVERGED, FEWER_SWEEPS = 100.0, 50
 SOON = 24  # sweeps, after which each touch is solved exactly
-CONVERGED_FORCES, CONVERGED = 1e-8, 1e-11  # of the largest acceleration or velocity
+CONVERGED_FORCES, CONVERGED = 1e-9, 1e-11  # of the largest acceleration or velocity
 DIRECTIONS = 24  # tried for the slip of a touch, before the best are refined
 REFINEMENTS = 60
 TURN = 2.0 * math.pi / DIRECTIONS

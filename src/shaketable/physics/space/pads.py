@@ -13,8 +13,8 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.contacts import axes_at, flat_margin
 from shaketable.physics.space.cones import limit
+from shaketable.physics.space.contacts import axes_at, flat_margin
 from shaketable.physics.space.step import Pull, pull_at
 from shaketable.physics.space.straps import pulls_any, with_straps
 from shaketable.physics.space.vectors import Vec
