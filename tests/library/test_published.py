@@ -166,6 +166,15 @@ def test_the_dictionary_is_that_of_the_columns() -> None:
     pd.testing.assert_frame_equal(written, dictionary(), check_dtype=False)
 
 
+#: Factors on the motions that the first runs of edition 1.0 chose, where one of these runs ends
+#: otherwise today: at other strengths other runs are drawn, and a row moves by its counting error.
+SCALES = {
+    "filing_cabinet.vertical.4.drawers.office6_floor_4.free.mu0_4to0_6": np.geomspace(
+        2.0**-3.5, 4.0, 8
+    ).tolist()
+}
+
+
 @pytest.mark.parametrize(("name", "again"), AGAIN)
 def test_a_part_made_again_is_what_is_published(name: str, again: str) -> None:
     """On another processor a few of a thousand simulations end otherwise.
@@ -174,7 +183,8 @@ def test_a_part_made_again_is_what_is_published(name: str, again: str) -> None:
     """
     table, work = read_library_table(LIBRARY / f"{name}.csv"), described(name)
     (case,) = [each for each in work.cases if each.name == again]
-    runs = simulated(case, motions_under(case, work.ground), seed=work.library.seed)
+    motions = motions_under(case, work.ground)
+    runs = simulated(case, motions, seed=work.library.seed, scales=SCALES.get(again))
     functions = functions_of_case(
         case, runs, Shaking(work.ground, draws=0), states=[limit_state("overturns")],
         measures=["PGV", "PGA"], seed=work.library.seed,

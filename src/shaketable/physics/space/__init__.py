@@ -14,24 +14,29 @@ copied. `workspace` says of each field its unit, what it means and who writes it
        +--- comes_to_rest                              +--- land <-+--> a gap closes, a wall is met
                                                                    +--> it has fallen: the end
 
-`choice.choose_on_support` finds the contact mode. It takes the first of these that is
-admissible: all as they move (`try_simple`), a flat base that begins to slide (`try_slide`), a side
-that does (`try_side_slip`), points of unlike friction (`try_grip`), all of them as one
-complementarity problem (`solve_together`). Where walls, or the edge of the support, may be touched
-`beside` asks likewise of one list of touches, whatever they touch.
+All that a solid touches is one list: points on the support first, then on walls and at the edge of
+the support; what is closed is an index set of it. `choice.choose_on_support` finds the contact mode
+of those on the support. It takes the first of these that is admissible: all as they move
+(`try_simple`), a flat base that begins to slide (`try_slide`), a side that does (`try_side_slip`),
+points of unlike friction (`try_grip`), all of them as one complementarity problem
+(`solve_together`). Where walls, or the edge of the support, may be touched `beside` asks likewise
+of the whole list.
 
 A question writes nothing. What answers yes or no and writes begins with a verb that says what:
 `try_...` the mode that it asks about, `judge_...` reactions and `judged`, `gather_...` a list.
 
 | files | what they find |
 |---|---|
-| `contacts`, `touches`, `walls`, `edge`, `closing` | what is near: gaps, levers, velocities |
+| `touches`, `closing` | the list, and what of it is closed |
+| `contacts`, `walls`, `edge` | what is near: gaps, levers, velocities |
 | `modes`, `constraints`, `short_ways`, `flat_slip`, `walled` | reactions and rates in a mode |
-| `choice`, `grip`, `complementarity` | which mode follows on the support alone |
-| `beside`, `tries`, `together` | which mode follows with all that is touched |
+| `cones` | how much friction is left |
+| `complementarity` | reactions of all touches together: forces and impulses |
+| `choice`, `grip` | which mode follows on the support alone |
+| `beside`, `tries`, `holding` | which mode follows with all that is touched |
 | `step`, `rates` | one step, and the rates that it needs |
 | `guards`, `events` | what ends a mode, and when within a step |
-| `impact`, `together` | velocities after a landing, without and with walls |
+| `impact` | velocities after a landing, or a blow on a wall |
 | `rest`, `rest_beside` | whether pressure and friction can bear it at rest |
 | `settling` | time stepping, where no mode is admissible |
 | `in_plane` | what a deep body that stands for a planar one keeps, and tells |
