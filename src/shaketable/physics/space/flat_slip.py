@@ -62,13 +62,19 @@ def slide_straight(
     mu = work.touches[place].kinetic
     x, z = slip_direction(shape, work, place, vec(y, V))
     linear = Vec(f.x - mu * total * x, f.y - mu * total * z, 0.0)
-    for k in range(work.mode.closed):  # some shares: without reactions none is pulled
-        work.touches[work.closed[k]].share[2] = total / work.mode.closed
     if shape.h * mu <= shape.inscribed:  # it cannot tip, whatever the direction
         return linear, min(total, total * (shape.inscribed - shape.h * mu) / shape.reach)
     size = shape.h * mu * total  # the middle of the pressures is ahead of the foot
     along, across = q.x.x * x + q.y.x * z, q.x.y * x + q.y.y * z
     return linear, flat_margin(shape, work, total, size * along, size * across)
+
+
+@routine
+def share_evenly(work: Workspace, total: float) -> None:
+    """Write some pressures of a base that slides without turning: none is pulled."""
+    share = total / work.mode.closed
+    for k in range(work.mode.closed):
+        work.touches[work.closed[k]].share[2] = share
 
 
 @routine

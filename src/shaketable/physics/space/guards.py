@@ -220,7 +220,7 @@ def strap_guard(
     return nearer(found, HELD, work.straps[k].strength - s.force, -rate)
 
 
-@routine
+@kernel
 def slip_guards(
     shape: SolidParameters, work: Workspace, q: Axes, y: Floats, dy: Floats, found: EventGuard
 ) -> EventGuard:

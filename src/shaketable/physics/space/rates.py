@@ -22,6 +22,7 @@ from shaketable.physics.space.contacts import (
 )
 from shaketable.physics.space.flat_slip import (
     is_upright,
+    share_evenly,
     slide_and_turn,
     slide_straight,
     slides_straight,
@@ -77,6 +78,7 @@ def slip_flat(
             write_rates(dy, y, linear, ZERO)
             if judge:
                 work.judged.press, work.judged.cone = press, NO_CONE
+                share_evenly(work, -f.z)
             return True
     linear, rate, found = slide_and_turn(shape, work, q, y, f)
     if found:

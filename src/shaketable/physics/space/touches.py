@@ -274,7 +274,7 @@ def drop_touch(work: Workspace, place: int) -> None:
     work.mode.near -= place < work.mode.near
 
 
-@routine
+@kernel
 def slip_velocity(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, place: int) -> Vec:
     """Velocity of a touch, along its frame, which of one on the support need not be written."""
     touch = work.touches[place]
@@ -283,7 +283,7 @@ def slip_velocity(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, p
     return touch_velocity(work, q, y, place)
 
 
-@routine
+@kernel
 def slip_acceleration(
     shape: SolidParameters, work: Workspace, q: Axes, y: Floats, dy: Floats, place: int
 ) -> Vec:

@@ -253,7 +253,6 @@ class Workspace(NamedTuple):
     stages: Floats  # (8, STATE): rates; the last row is for a look between two steps
     between: Floats  # (4, STATE): the polynomial through a step
     mode: Mode
-    touches: Sequence[Touch]  # (MOST_TOUCHES,): the list: what may bear something, or lands
     closed: Integers  # (MOST_TOUCHES,): places in the list of what is closed
     judged: Judged
     rim: Rim
@@ -278,6 +277,7 @@ class Workspace(NamedTuple):
     parts: Floats  # (6,): along each of them, what of the row that was looked at last
     change: Floats  # (6,): of velocity or acceleration, and of spin, by all touches; body frame
     kept_state: Floats  # (STATE,): before a mode is tried
+    touches: Sequence[Touch]  # (MOST_TOUCHES,): the list: what may bear something, or lands
 
 
 #: The largest solid's: corners and the rim.
