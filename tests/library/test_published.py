@@ -177,9 +177,12 @@ SCALES = {
 
 @pytest.mark.parametrize(("name", "again"), AGAIN)
 def test_a_part_made_again_is_what_is_published(name: str, again: str) -> None:
-    """On another processor a few of a thousand simulations end otherwise.
+    """Where the last digit is rounded otherwise, a few of a thousand simulations end otherwise.
 
-    By it the 108 rows of FEMA P-58's furniture differed by 0.7 % in θ and by 2 % in β at most.
+    On another processor the 108 rows of FEMA P-58's furniture differed by 0.7 % in θ and by 2 % in
+    β at most. Since impacts are solved in the body's frame, 3 % of the runs on the ground have
+    another peak, as what slips on a corner turns chaotic; 14 of 1,536 end otherwise, and θ differs
+    by 2.5 %.
     """
     table, work = read_library_table(LIBRARY / f"{name}.csv"), described(name)
     (case,) = [each for each in work.cases if each.name == again]
@@ -192,6 +195,6 @@ def test_a_part_made_again_is_what_is_published(name: str, again: str) -> None:
     for one in functions:
         rows = table[(table["id"] == one.identifier) & (table["measure"] == one.measure.name)]
         (row,) = rows.itertuples()
-        assert one.curve.median == pytest.approx(row.median, rel=0.02)
+        assert one.curve.median == pytest.approx(row.median, rel=0.04)
         assert one.curve.beta == pytest.approx(row.beta, rel=0.05)
         assert one.simulations == pytest.approx(row.simulations, rel=0.2)  # a factor more or less

@@ -45,7 +45,7 @@ from shaketable.physics.space.workspace import (
 SWEEPS = 500
 #: After so many solves of a run that did not converge, limit later ones to so many sweeps.
 MAX_UNCONVERGED, FEWER_SWEEPS = 100.0, 50
-SOON = 24  # sweeps, after which each touch is solved exactly
+SOON = 24  # sweeps for forces, not of the support alone, before each touch is solved exactly
 CONVERGED_FORCES, CONVERGED = 1e-9, 1e-11  # of the largest acceleration or velocity
 DIRECTIONS = 24  # tried for the slip of a touch, before the best are refined
 REFINEMENTS = 60
@@ -271,7 +271,7 @@ def balance(
         for j in range(3):
             largest = max(largest, abs(touch.free[j]))
     close = (CONVERGED_FORCES if forces else CONVERGED) * largest
-    found = False
+    found, quick = False, forces and n > work.mode.near
     for sweep in range(sweeps):
         change = 0.0
         for place in range(n):
@@ -286,8 +286,10 @@ def balance(
                     if after.z < 0.0:  # no sliding reaction presses (Painlevé): the frictionless
                         after = slipping(own, free, goal, 0.0, 1.0, 0.0)
             else:
-                after = soon_reaction(own, free, goal, static, kinetic, before)
-                if after.z < 0.0 or sweep >= SOON:
+                after = Vec(0.0, 0.0, -1.0)
+                if quick and sweep < SOON:
+                    after = soon_reaction(own, free, goal, static, kinetic, before)
+                if after.z < 0.0:
                     after = one_reaction(own, free, goal, static, kinetic, before)
             put(touch.share, 0, after)
             difference = subtract(after, before)

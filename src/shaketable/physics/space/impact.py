@@ -52,6 +52,7 @@ HALVINGS = 40
 CREEP_SWEEPS = 30  # in each step of the time stepping
 MOST_STICKING = 12  # tries, to find which touches bear a part of an impact that stick
 SLIPS, STAYS, BOUNCES = range(3)  # what touches do in an impact
+HOLDS, PULLED, SINKS, SLIDES = range(4)  # how an impact in which all sticks turns out
 
 
 @kernel
@@ -100,40 +101,64 @@ def strike(shape: SolidParameters, work: Workspace, share: float, within: float)
 def try_sticking(shape: SolidParameters, work: Workspace, q: Axes, slack: float) -> bool:
     """Try an impact in which all that is struck sticks; the state is struck if it is one.
 
-    Struck is first what approaches, then also what would sink, and not what would be pulled.
+    Struck is first what approaches, then also what would sink, and not what would be pulled; where
+    that would slip, each touch alone.
 
     Args:
         slack: a speed that is none [m/s].
     """
-    before, y, found = work.trial, work.state, False
+    before, y, how = work.trial, work.state, SINKS
     for place in range(work.mode.touches):
         touch = work.touches[place]
         touch.carries = PRESSES if touch.free[2] < touch.goal - slack else PULLS
     for _ in range(MOST_STICKING):
-        write_mode(shape, work, q)
-        impel(shape, work, q)
-        judge_touches(shape, work)
-        if work.judged.press < -slack:
+        how = judge_sticking(shape, work, q, slack)
+        if how == PULLED:
             drop_pulled(work)
-            continue
-        sinks, slips = False, work.judged.cone < 0.0
-        for place in range(work.mode.touches):
-            touch, u = work.touches[place], touch_velocity(work, q, y, place)
-            carries = touch.carries == PRESSES
-            slips = slips or (carries and max(abs(u.x), abs(u.y)) > CONVERGED / ROUND_OFF * slack)
-            if u.z < touch.goal - slack and not carries:
-                touch.carries, sinks = PRESSES, True
-            elif u.z < touch.goal - CONVERGED / ROUND_OFF * slack:
-                slips = True
-        if not sinks:
-            found = not slips
+        elif how == SINKS:
+            add_sinking(work, q, slack)
+        else:
             break
-    if not found:
+    for only in range(work.mode.touches):
+        if how == HOLDS:
+            return True
+        if work.touches[only].free[2] < work.touches[only].goal - slack:
+            for place in range(work.mode.touches):
+                work.touches[place].carries = PRESSES if place == only else PULLS
+            how = judge_sticking(shape, work, q, slack)
+    if how != HOLDS:
         for j in range(V, STATE):
             y[j] = before[j]
         for place in range(work.mode.touches):
             put(work.touches[place].share, 0, ZERO)
-    return found
+    return how == HOLDS
+
+
+@routine
+def judge_sticking(shape: SolidParameters, work: Workspace, q: Axes, slack: float) -> int:
+    """Strike what carries so that it sticks, and judge that: HOLDS, PULLED, SINKS or SLIDES."""
+    y, close = work.state, CONVERGED / ROUND_OFF * slack
+    write_mode(shape, work, q)
+    impel(shape, work, q)
+    judge_touches(shape, work)
+    if work.judged.press < -slack:
+        return PULLED
+    how = HOLDS if work.judged.cone >= 0.0 else SLIDES
+    for place in range(work.mode.touches):
+        touch, u = work.touches[place], touch_velocity(work, q, y, place)
+        if touch.carries != PRESSES and u.z < touch.goal - slack:
+            return SINKS
+        if touch.carries == PRESSES and max(abs(u.x), abs(u.y), touch.goal - u.z) > close:
+            how = SLIDES
+    return how
+
+
+@routine
+def add_sinking(work: Workspace, q: Axes, slack: float) -> None:
+    """Let those touches carry, too, that sink in the state that is struck."""
+    for place in range(work.mode.touches):
+        if touch_velocity(work, q, work.state, place).z < work.touches[place].goal - slack:
+            work.touches[place].carries = PRESSES
 
 
 @routine
