@@ -45,7 +45,7 @@ from shaketable.physics.space.workspace import (
 SWEEPS = 500
 #: After so many solves of a run that did not converge, limit later ones to so many sweeps.
 MAX_UNCONVERGED, FEWER_SWEEPS = 100.0, 50
-SOON = 24  # sweeps for forces, not of the support alone, before each touch is solved exactly
+SOON = 24  # sweeps beside walls, before each touch is solved exactly
 CONVERGED_FORCES, CONVERGED = 1e-9, 1e-11  # of the largest acceleration or velocity
 DIRECTIONS = 24  # tried for the slip of a touch, before the best are refined
 REFINEMENTS = 60
@@ -271,7 +271,7 @@ def balance(
         for j in range(3):
             largest = max(largest, abs(touch.free[j]))
     close = (CONVERGED_FORCES if forces else CONVERGED) * largest
-    found, quick = False, forces and n > work.mode.near
+    found, quick = False, n > work.mode.near
     for sweep in range(sweeps):
         change = 0.0
         for place in range(n):

@@ -87,7 +87,7 @@ def strike(shape: SolidParameters, work: Workspace, share: float, within: float)
         touch.goal = -restitution * u.z if u.z < -shape.limits.bounce else 0.0
         if within > 0.0:
             touch.goal = -max(touch_gap(shape, work, q, before, place), 0.0) / within
-    if try_sticking(shape, work, q, ROUND_OFF * fastest):
+    if within == 0.0 and try_sticking(shape, work, q, ROUND_OFF * fastest):
         return BOUNCES if bounces_any(work) else STAYS
     sweeps = sweeps_left(work) if within == 0.0 else CREEP_SWEEPS
     if not balance(shape, work, work.mode.touches, False, ZERO, sweeps):
