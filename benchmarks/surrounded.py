@@ -2,6 +2,7 @@
 
 python -m benchmarks.surrounded                       milliseconds of one core a planar run
 python -m benchmarks.surrounded --solids              of a solid, and its ratio to that alone
+python -m benchmarks.surrounded --stepped             solids that need time steps, doubled motions
 python -m benchmarks.surrounded --random 100000       random bodies, walls, straps and edges
 """
 
@@ -26,6 +27,7 @@ from shaketable import (
     Strap,
     Surroundings,
     Wall,
+    simulate,
     simulate_many,
     suite,
 )
@@ -93,6 +95,24 @@ def seconds_of_solids(
     return (time.process_time() - begun) / found.outcome.size
 
 
+def stepped() -> None:
+    """The bookcase as a solid, both components doubled: how often a run needs time steps."""
+    pairs = [motion for motion in suite("far-field", pairs=True) if motion.transverse is not None]
+    strap = replace(STRAP, point=(0.16, 0, 1.8), anchor=(0.21, 0, 1.8))
+    cases = {
+        "wall at 10 mm": Surroundings(walls=(WALL,)),
+        "strap": Surroundings(straps=(strap,)),
+        "both": Surroundings(walls=(WALL,), straps=(strap,)),
+    }
+    for name, around in cases.items():
+        runs = [
+            simulate(SOLID, pair.scaled(2.0), model=MODEL, surroundings=around) for pair in pairs
+        ]
+        times = [run.fallbacks for run in runs]
+        print(f"{name:13} {sum(time > 0 for time in times)} of {len(times)} runs, "
+              f"{sum(times)} times, {sum(run.outcome != 0 for run in runs)} fall")  # fmt: skip
+
+
 def random(count: int, first: int) -> None:
     """Random bodies: how many are lost or enter something, and the longest run.
 
@@ -122,10 +142,13 @@ def main() -> None:
     parser.add_argument("--random", type=int, default=0, help="how many random bodies")
     parser.add_argument("--first", type=int, default=100_000, help="seed of the first")
     parser.add_argument("--solids", action="store_true", help="solids in place of planar bodies")
+    parser.add_argument("--stepped", action="store_true", help="how many need time steps")
     given = parser.parse_args()
     logging.disable(logging.WARNING)
     if given.random:
         random(given.random, given.first)
+    elif given.stepped:
+        stepped()
     elif given.solids:
         solids()
     else:

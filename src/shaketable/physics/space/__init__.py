@@ -30,7 +30,7 @@ A question writes nothing. What answers yes or no and writes begins with a verb 
 | `touches`, `closing` | the list, and what of it is closed |
 | `contacts`, `walls`, `edge` | what is near: gaps, levers, velocities |
 | `modes`, `constraints`, `short_ways`, `flat_slip`, `walled` | reactions and rates in a mode |
-| `cones` | how much friction is left |
+| `cones`, `bracing` | how much friction is left, where touches press against one another as well |
 | `complementarity` | reactions of all touches together: forces and impulses |
 | `choice`, `grip` | which mode follows on the support alone |
 | `beside`, `tries`, `holding` | which mode follows with all that is touched |

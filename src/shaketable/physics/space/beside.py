@@ -22,7 +22,7 @@ from shaketable.physics.space.complementarity import (
 from shaketable.physics.space.constraints import free_turning
 from shaketable.physics.space.contacts import axes_at, lies_on_rim
 from shaketable.physics.space.edge import has_edge
-from shaketable.physics.space.holding import try_holding_touches
+from shaketable.physics.space.holding import hold_touches
 from shaketable.physics.space.modes import lay_ring, stand_on_rim
 from shaketable.physics.space.rates import rates
 from shaketable.physics.space.straps import with_straps
@@ -48,13 +48,10 @@ from shaketable.physics.space.tries import (
     try_letting_slip,
 )
 from shaketable.physics.space.vectors import ZERO, Axes, Vec, add, on_support, times
-from shaketable.physics.space.walled import (
+from shaketable.physics.space.walled import put_back_at_walls, write_mode
+from shaketable.physics.space.workspace import (
     MAY_PRESS,
     PRESSES,
-    put_back_at_walls,
-    write_mode,
-)
-from shaketable.physics.space.workspace import (
     SLIPS,
     STATE,
     STICKS,
@@ -70,6 +67,9 @@ from shaketable.physics.space.workspace import (
 )
 
 JAMS = 10.0  # of `turning`: a slip that has nowhere to go is ended if it is not faster
+SINKS = 1e-10  # m/s: a touch may be left with less speed into its surface
+NEARLY_HELD = 1e-2  # m/s²: what is held all but this may be held
+HOLD_SWEEPS = 80  # to see whether it is
 # Of the search for reactions, and by what they grow; once it often finds none, fewer rounds.
 FIRST_SWEEPS, MORE_SWEEPS, ROUNDS, FEWER_ROUNDS = 20, 4, 3, 1
 
@@ -99,7 +99,7 @@ def choose(shape: SolidParameters, work: Workspace, f: Vec) -> None:
 
 @routine
 def try_letting_walls_be(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
-    """Try whether no touch on a wall is accelerated into it in the mode that is written."""
+    """Try whether no touch on a wall goes into it in the mode that is written."""
     y, dy = work.state, work.stages[0]
     rates(shape, work, y, f, False, dy)
     q, found = axes_at(y), True
@@ -107,7 +107,8 @@ def try_letting_walls_be(shape: SolidParameters, work: Workspace, f: Vec) -> boo
     for place in range(work.mode.touches):
         if plane_of(work, place) > 0:
             a = touch_acceleration(work, q, y, vec(dy, V), vec(dy, W), place)
-            found = found and a.z >= -SLACK
+            speed = touch_velocity(work, q, y, place).z
+            found = found and a.z >= -SLACK and speed >= -shape.limits.slipping
     return found
 
 
@@ -120,22 +121,23 @@ def choose_together(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     q = axes_at(work.state)
     face_wall(shape, work, q)
     note_moving(shape, work, q, work.mode.touches, shape.limits.slow)
+    stop_slow(shape, work, q)
+    note_moving(shape, work, q, work.mode.touches, shape.limits.slow)
     for place in range(work.mode.touches):
         work.touches[place].carries = PRESSES
     if try_letting_slip(shape, work, q, f):
-        stop_slow(shape, work, q)
         drop_leaving(shape, work, q)
         begin_beside(shape, work, f, still_at(shape, work, q))
         return
     note_moving(shape, work, q, work.mode.touches, shape.limits.slow)
     if nothing_moves(shape, work, q) and try_holding(shape, work, q, f):
-        stop_slow(shape, work, q)
         begin_beside(shape, work, f, True)
         return
     for place in range(work.mode.touches):
         put(work.touches[place].share, 0, ZERO)
     sweeps, found = FIRST_SWEEPS, False
     for _ in range(ROUNDS if work.tally.fallbacks < MAX_UNCONVERGED else FEWER_ROUNDS):
+        note_moving(shape, work, q, work.mode.touches, shape.limits.slow)
         converged = push_together(shape, work, q, f, work.mode.touches, sweeps)
         found = try_found_forces(shape, work, q, f)
         if found or converged:
@@ -145,13 +147,11 @@ def choose_together(shape: SolidParameters, work: Workspace, f: Vec) -> None:
         found = try_by_planes(shape, work, q, f)
     if not found:
         work.tally.fallbacks += 1.0
-        if try_stopping_slips(shape, work, q):
-            note_moving(shape, work, q, work.mode.touches, shape.limits.slow)
-            found = try_letting_slip(shape, work, q, f)
-            if not found:
-                push_together(shape, work, q, f, work.mode.touches, FIRST_SWEEPS)
-                try_found_forces(shape, work, q, f)
-    stop_slow(shape, work, q)
+        jams = try_stopping_slips(shape, work, q)
+        note_moving(shape, work, q, work.mode.touches, shape.limits.slow)
+        if not (jams and try_letting_slip(shape, work, q, f)):
+            push_together(shape, work, q, f, work.mode.touches, FIRST_SWEEPS)
+            try_found_forces(shape, work, q, f)
     drop_leaving(shape, work, q)
     walls = 0
     for place in range(work.mode.touches):
@@ -238,7 +238,7 @@ def nothing_moves(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
     found = True
     for place in range(work.mode.touches):
         u = touch_velocity(work, q, work.state, place)
-        found = found and work.touches[place].moves == 0 and abs(u.z) <= shape.limits.slow
+        found = found and max(math.hypot(u.x, u.y), abs(u.z)) <= shape.limits.slow
     spin = vec(work.state, W)
     most = max(abs(spin.x), abs(spin.y), abs(spin.z))
     return bool(found and shape.reach * most <= shape.limits.slow)
@@ -253,7 +253,13 @@ def try_holding(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> boo
     write_free(shape, work, q, f)
     for place in range(work.mode.touches):
         work.touches[place].carries = PRESSES
-    return try_holding_touches(shape, work, STARTS)
+        work.touches[place].moves = 0
+    left = hold_touches(shape, work, STARTS)
+    if left <= STARTS or left > NEARLY_HELD:
+        return bool(left <= STARTS)
+    push_together(shape, work, q, f, work.mode.touches, HOLD_SWEEPS)  # from there, to be sure
+    write_rates_of_all(shape, work, q, f)
+    return is_small(shape, work.stages[0])
 
 
 @kernel
@@ -275,24 +281,22 @@ def write_rates_of_all(shape: SolidParameters, work: Workspace, q: Axes, f: Vec)
 
 @routine
 def stop_slow(shape: SolidParameters, work: Workspace, q: Axes) -> None:
-    """End what is left of a slip where one sticks, with all that touches in its place.
+    """End what is left of slips that are none, and of speeds into surfaces.
 
-    Ended with what carries alone, it might drive others into their surface.
+    All that touches stays in its place meanwhile. Ended with what carries alone, others would be
+    driven into their surface.
     """
-    slips = False
+    ends = False
     for place in range(work.mode.touches):
-        u = touch_velocity(work, q, work.state, place)
-        fast = math.sqrt(u.x * u.x + u.y * u.y) > shape.limits.slipping
-        slips = slips or (fast and work.touches[place].moves == 0)
-    if not slips:
-        return
-    for place in range(work.mode.touches):
-        work.touches[place].carried = work.touches[place].carries
-        work.touches[place].carries = PRESSES
-    write_mode(shape, work, q)
-    put_back_at_walls(shape, work, work.state)
-    for place in range(work.mode.touches):
-        work.touches[place].carries = work.touches[place].carried
+        touch, u = work.touches[place], touch_velocity(work, q, work.state, place)
+        slips = math.sqrt(u.x * u.x + u.y * u.y) > shape.limits.slipping
+        if touch.static == 0.0:  # it may slip as slowly as it does
+            touch.moves = 1
+        ends = ends or (slips and touch.moves == 0) or u.z < -SINKS
+        touch.carries = PRESSES
+    if ends:
+        write_mode(shape, work, q)
+        put_back_at_walls(shape, work, work.state)
 
 
 @routine
@@ -348,6 +352,9 @@ def begin_beside(shape: SolidParameters, work: Workspace, f: Vec, still: bool) -
         still: whether the reactions that were found hold it, if the rows alone do not.
     """
     tip_on_rim(shape, work)
+    if still:
+        for place in range(work.mode.touches):
+            work.touches[place].moves = 0
     write_mode(shape, work, axes_at(work.state))
     close_carrying(shape, work)
     work.mode.kind, work.mode.grip = WALLED, SLIPS

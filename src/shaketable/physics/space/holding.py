@@ -13,8 +13,8 @@ STUCK = 1e-4  # of the largest acceleration: reactions that change by less have 
 
 
 @routine
-def try_holding_touches(shape: SolidParameters, work: Workspace, small: float) -> bool:
-    """Try whether reactions inside the touches' cones leave no acceleration.
+def hold_touches(shape: SolidParameters, work: Workspace, small: float) -> float:
+    """Find reactions inside the touches' cones that leave the least acceleration; return it [m/s²].
 
     The least acceleration (in the metric of the mass) over a product of cones is a convex problem:
     one block after the other, exactly where its reaction sticks, else by a projected gradient.
@@ -22,7 +22,7 @@ def try_holding_touches(shape: SolidParameters, work: Workspace, small: float) -
     Args:
         small: an acceleration that is none [m/s²].
     """
-    n = work.mode.touches
+    n, most = work.mode.touches, 0.0
     linear, turn = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
     for place in range(n):
         write_own(shape, work, place)
@@ -43,4 +43,4 @@ def try_holding_touches(shape: SolidParameters, work: Workspace, small: float) -
             change = max(change, abs(difference.x), abs(difference.y), abs(difference.z))
         if most <= small or change <= STUCK * most:
             break
-    return most <= small
+    return most

@@ -27,15 +27,15 @@ from shaketable.physics.space.vectors import (
 )
 from shaketable.physics.space.walled import (
     LIKE_LEAST,
-    PRESSES,
     PRESSURE,
-    PULLS,
     impelled,
     judge_touches,
     write_mode,
     write_row,
 )
 from shaketable.physics.space.workspace import (
+    PRESSES,
+    PULLS,
     STATE,
     Floats,
     SolidParameters,

@@ -18,19 +18,16 @@ from shaketable.physics.space.touches import (
     touch_velocity,
 )
 from shaketable.physics.space.vectors import Axes, Vec
-from shaketable.physics.space.walled import (
+from shaketable.physics.space.walled import LIKE_LEAST, is_dependent, write_mode
+from shaketable.physics.space.workspace import (
     DEPENDENT,
-    LIKE_LEAST,
     MAY_PRESS,
     PRESSES,
     PULLS,
-    is_dependent,
-    write_mode,
-)
-from shaketable.physics.space.workspace import (
     SLIPS,
     WALLED,
     SolidParameters,
+    Touch,
     V,
     W,
     Workspace,
@@ -44,6 +41,7 @@ DEPENDENT_SLACK = 1e-3
 AT_EDGE = 1e-6  # of the friction: a touch whose reaction is further inside its cone sticks
 STARTS = 1e-6  # m/s²: what is accelerated by less neither slips, nor leaves, nor ends its rest
 MOST_TRIES = 8  # to find which touches carry, and which slip
+MOST_CHANGES = 24  # of those that carry, one after the other
 # Of `try_by_planes`: what touches do, how many planes at the most, and how often slips are turned.
 SLIDES, LEAVES, MOST_PLANES, TURNS = 1, 2, 4, 4
 
@@ -57,8 +55,14 @@ def try_letting_slip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -
     for _ in range(min(work.mode.touches, MOST_TRIES) + 1):
         if try_as_they_move(shape, work, q, f):
             return True
-        if work.judged.press < -SLACK or work.judged.cone >= -SLACK:
+        if work.judged.press < -SLACK:
             break
+        if work.judged.cone >= -SLACK:
+            if not turn_slips(shape, work, q):
+                break
+            for place in range(work.mode.touches):
+                work.touches[place].carries = PRESSES
+            continue
         for place in range(work.mode.touches):
             touch = work.touches[place]
             share = touch.share
@@ -73,20 +77,16 @@ def try_letting_slip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -
 
 @routine
 def begin_slip(shape: SolidParameters, work: Workspace, q: Axes, place: int) -> None:
-    """Let a touch slip: as it moves, or if it does not, against the friction that would hold it.
+    """Let a touch that stands still slip: against the friction that would hold it.
 
     Without such friction it goes where it is accelerated.
     """
     touch = work.touches[place]
-    share = touch.share
-    u = touch_velocity(work, q, work.state, place)
-    x, y = u.x, u.y
-    if math.sqrt(x * x + y * y) <= shape.limits.slipping:
-        x, y = -share[0], -share[1]
-        if x == 0.0 and y == 0.0:
-            dy = work.stages[0]
-            a = touch_acceleration(work, q, work.state, vec(dy, V), vec(dy, W), place)
-            x, y = a.x, a.y
+    x, y = -touch.share[0], -touch.share[1]
+    if x == 0.0 and y == 0.0:
+        dy = work.stages[0]
+        a = touch_acceleration(work, q, work.state, vec(dy, V), vec(dy, W), place)
+        x, y = a.x, a.y
     size = math.sqrt(x * x + y * y)
     touch.moves = 1
     touch.slip_x, touch.slip_y = x / size, y / size
@@ -162,42 +162,94 @@ def turn_slips(shape: SolidParameters, work: Workspace, q: Axes) -> bool:
     """Turn the slips that begin against their acceleration toward it; False if none does."""
     y, dy, turned = work.state, work.stages[0], False
     for place in range(work.mode.touches):
-        touch, u = work.touches[place], touch_velocity(work, q, y, place)
-        begins = math.sqrt(u.x * u.x + u.y * u.y) <= shape.limits.slow
+        touch = work.touches[place]
         a = touch_acceleration(work, q, y, vec(dy, V), vec(dy, W), place)
-        size = math.sqrt(a.x * a.x + a.y * a.y)
-        along = a.x * touch.slip_x + a.y * touch.slip_y
-        if touch.moves > 0 and begins and size > STARTS and along < (1.0 - AT_EDGE) * size:
+        if touch.moves > 0 and not (follows_slip(touch, a) or is_fast(shape, work, q, place)):
+            size = math.sqrt(a.x * a.x + a.y * a.y)
             touch.slip_x, touch.slip_y = a.x / size, a.y / size
             turned = True
     return turned
+
+
+@kernel
+def follows_slip(touch: Touch, a: Vec) -> bool:
+    """Whether a touch that begins to slip is not accelerated against its slip."""
+    return a.x * touch.slip_x + a.y * touch.slip_y >= -BACKWARD_SLIP_TOLERANCE
+
+
+@routine
+def is_fast(shape: SolidParameters, work: Workspace, q: Axes, place: int) -> bool:
+    """Whether a touch slips already."""
+    u = touch_velocity(work, q, work.state, place)
+    return bool(math.sqrt(u.x * u.x + u.y * u.y) > shape.limits.slow)
 
 
 @routine
 def try_as_they_move(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     """Write the mode in which touches slip as is noted; whether it is admissible.
 
-    It is where all of them press, hold and let none sink.
+    It is where all of them press, hold and let none sink, and no slip begins backward.
     """
     y, dy = work.state, work.stages[0]
     work.mode.kind, work.mode.grip = WALLED, SLIPS
+    write_carrying(shape, work, q, f)
+    found = work.judged.press >= -SLACK and work.judged.cone >= -SLACK
+    for place in range(work.mode.touches):
+        touch = work.touches[place]
+        a = touch_acceleration(work, q, y, vec(dy, V), vec(dy, W), place)
+        found = found and not sinks(shape, work, place, a)
+        if touch.moves > 0 and not is_fast(shape, work, q, place):
+            found = found and follows_slip(touch, a)
+    return bool(found)
+
+
+@routine
+def write_carrying(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> None:
+    """Write which touches carry, as they move: none pulls, and none sinks that carries nothing.
+
+    First those that pull most are dropped together. If others sink then, one after the other
+    changes, always the first that is not as it should be (Murty 1974: this comes to an end).
+    """
+    y, dy = work.state, work.stages[0]
     for _ in range(min(work.mode.touches, MOST_TRIES)):
         write_mode(shape, work, q)
         rates(shape, work, y, f, True, dy)
         if work.judged.press >= -SLACK or not drop_pull(work):
             break
-    found = work.judged.press >= -SLACK and work.judged.cone >= -SLACK
+    for _ in range(MOST_CHANGES):
+        place = first_wrong(shape, work, q)
+        if place < 0:
+            break
+        touch = work.touches[place]
+        touch.carries = PULLS if touch.carries == PRESSES else PRESSES
+        write_mode(shape, work, q)
+        rates(shape, work, y, f, True, dy)
+
+
+@routine
+def first_wrong(shape: SolidParameters, work: Workspace, q: Axes) -> int:
+    """The first touch that pulls, or sinks and carries nothing; -1 if none does."""
+    y, dy, found = work.state, work.stages[0], -1
     for place in range(work.mode.touches):
-        a = touch_acceleration(work, q, y, vec(dy, V), vec(dy, W), place)
-        if a.z < -SLACK:
-            on_wall = 0 < plane_of(work, place) <= shape.walls
-            may = on_wall and work.touches[place].carries != PRESSES and a.z >= -DEPENDENT_SLACK
-            found = found and may and is_dependent(shape, work, place)
-        touch, u = work.touches[place], touch_velocity(work, q, y, place)
-        if touch.moves > 0 and math.sqrt(u.x * u.x + u.y * u.y) <= shape.limits.slipping:
-            along = a.x * touch.slip_x + a.y * touch.slip_y
-            found = found and along >= -BACKWARD_SLIP_TOLERANCE
-    return bool(found)
+        touch = work.touches[place]
+        wrong = touch.share[2] < -SLACK
+        if touch.carries != PRESSES:
+            a = touch_acceleration(work, q, y, vec(dy, V), vec(dy, W), place)
+            wrong = sinks(shape, work, place, a)
+        if wrong:
+            found = place
+            break
+    return found
+
+
+@routine
+def sinks(shape: SolidParameters, work: Workspace, place: int, a: Vec) -> bool:
+    """Whether a touch with an acceleration goes into its surface."""
+    if a.z >= -SLACK:
+        return False
+    on_wall = 0 < plane_of(work, place) <= shape.walls
+    may = on_wall and work.touches[place].carries != PRESSES and a.z >= -DEPENDENT_SLACK
+    return not (may and is_dependent(shape, work, place))
 
 
 @routine

@@ -12,7 +12,8 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.cones import NO_CONE, margin_of_two, split_along
+from shaketable.physics.space.bracing import brace, sticks
+from shaketable.physics.space.cones import NO_CONE, margin_of_two, spare, split_along
 from shaketable.physics.space.constraints import add_to, fill, free_turning, measured
 from shaketable.physics.space.contacts import axes_at, slip_direction, turn_in_body
 from shaketable.physics.space.edge import has_edge, line_plane
@@ -40,6 +41,10 @@ from shaketable.physics.space.vectors import (
     times,
 )
 from shaketable.physics.space.workspace import (
+    DEPENDENT,
+    MAY_PRESS,
+    PRESSES,
+    PULLS,
     Floats,
     P,
     SolidParameters,
@@ -52,9 +57,6 @@ from shaketable.physics.space.workspace import (
 
 # Components of a row: along the two tangents, the normal, and the turn about the normal.
 FIRST_TANGENT, SECOND_TANGENT, PRESSURE, TURN = range(4)
-# What `Touch.carries` says: it carries a share, it may carry if it is independent of those that do,
-# it follows from them and carries nothing, or it would pull.
-PRESSES, MAY_PRESS, DEPENDENT, PULLS = 2, 1, 0, -1
 INDEPENDENT = 1e-6  # square of what of a row must not follow from the others, by that of the row
 MOST_SHIFT = (
     100.0  # times the largest gap: rows that would move a body farther are all but dependent
@@ -266,6 +268,21 @@ def judge_touches(shape: SolidParameters, work: Workspace) -> None:
     work.judged.press, work.judged.cone = least, NO_CONE
     for plane in range(plane_count(shape)):
         work.judged.cone = min(work.judged.cone, plane_margin(work, plane))
+    beside = work.mode.touches > work.mode.near  # on the support alone all is shared already
+    if beside and min(work.judged.press, work.judged.cone) < 0.0:
+        judge_braced(work)
+
+
+@routine
+def judge_braced(work: Workspace) -> None:
+    """Judge touches again that would pull or slip, pressed against one another."""
+    brace(work)
+    work.judged.press, work.judged.cone = NO_CONE, NO_CONE
+    for place in range(work.mode.touches):
+        if work.touches[place].carries == PRESSES:
+            work.judged.press = min(work.judged.press, work.touches[place].share[2])
+        if sticks(work, place):
+            work.judged.cone = min(work.judged.cone, spare(work, place))
 
 
 @routine
@@ -308,7 +325,7 @@ def plane_margin(work: Workspace, plane: int) -> float:
             at = on_support(frame_of(work, place), lever_of(work, place))
             share = work.touches[place].share[2]
             second += share * ((at.x - x) ** 2 + (at.y - y) ** 2)
-    twist = torque / second if second > 0.0 else 0.0
+    twist = torque / second if count > 1 and second > 0.0 else 0.0  # of one, round-off alone
     least = NO_CONE
     for place in range(work.mode.touches):
         if holds_at(work, place, plane):

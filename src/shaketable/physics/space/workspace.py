@@ -35,6 +35,9 @@ MOST_TOUCHES, MOST_OUTLINE = 112, 32
 MOST_SIDES = 3 * MOST_OUTLINE // 2  # of a body, which the edge of its support may meet
 FLIGHT, CORNER, EDGE, FLAT, WALLED = range(5)  # kinds of a mode: how the closed points lie
 SLIPS, PIVOTS, STICKS = range(3)  # grips of a mode: what keeps them from slipping
+# What `Touch.carries` says: it carries a share, it may carry if it is independent of those that do,
+# it follows from them and carries nothing, or it would pull.
+PRESSES, MAY_PRESS, DEPENDENT, PULLS = 2, 1, 0, -1
 
 
 class Clock:
