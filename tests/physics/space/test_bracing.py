@@ -65,7 +65,7 @@ def test_a_wall_holds_a_foot_down() -> None:
 
 
 def test_what_no_reaction_holds_stays_outside() -> None:
-    """The wall can press the foot down by 0.3 x 4.03 at the most, and this one needs 3 more."""
+    """The foot needs 6.7 m/s²; with all that the wall's friction adds it has 5.3."""
     work = workspace(
         (0, FOOT, UP, 0.5, (1.42, -6.54, 9.51)), (1, TOP, TOWARD, 0.3, (0.66, 0.0, 4.03))
     )

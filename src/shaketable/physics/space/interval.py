@@ -47,7 +47,7 @@ from shaketable.physics.space.guards import (
 )
 from shaketable.physics.space.impact import collide, kinetic_energy, lose_spin
 from shaketable.physics.space.in_plane import keep_in_plane, note_slips_in_plane
-from shaketable.physics.space.modes import lay_ring
+from shaketable.physics.space.modes import end_slow_slips, lay_ring
 from shaketable.physics.space.rates import rates
 from shaketable.physics.space.rest import NEVER, rest_margin, rest_until, rests_throughout
 from shaketable.physics.space.rest_beside import rest_beside_until
@@ -79,7 +79,6 @@ from shaketable.physics.space.touches import (
     touches_more,
 )
 from shaketable.physics.space.vectors import dot
-from shaketable.physics.space.walled import end_velocities, let_closed_carry, write_mode
 from shaketable.physics.space.walls import push_out
 from shaketable.physics.space.workspace import (
     CORNER,
@@ -323,27 +322,6 @@ def respond(  # type: ignore[no-untyped-def]
             rates(shape, work, work.state, f, True, work.stages[0])
             return pulls(work)
     return False
-
-
-@routine
-def end_slow_slips(shape: SolidParameters, work: Workspace) -> None:
-    """End the slips that have turned round, where they are so slow that friction does not follow.
-
-    Else friction would jump from one direction to another across it, again and again.
-    """
-    q, ends = axes_at(work.state), False
-    let_closed_carry(work)
-    for k in range(work.mode.closed):
-        place = work.closed[k]
-        touch, slips = work.touches[place], slips_at(work, place)
-        u = slip_velocity(shape, work, q, work.state, place)
-        turned = u.x * touch.slip_x + u.y * touch.slip_y <= 0.0
-        slow = touch.static > 0.0 and math.sqrt(u.x * u.x + u.y * u.y) < shape.limits.turning
-        touch.moves = 1 if slips and not (turned and slow) else 0
-        ends = ends or (slips and touch.moves == 0)
-    if ends:
-        write_mode(shape, work, q)
-        end_velocities(shape, work, work.state)
 
 
 @kernel

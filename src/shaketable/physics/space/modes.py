@@ -16,7 +16,7 @@ from shaketable.physics.space.contacts import (
     side_direction,
 )
 from shaketable.physics.space.step import put_back
-from shaketable.physics.space.touches import add_touch
+from shaketable.physics.space.touches import add_touch, slip_velocity, slips_at
 from shaketable.physics.space.vectors import Vec, on_support
 from shaketable.physics.space.walled import end_velocities, let_closed_carry, write_mode
 from shaketable.physics.space.workspace import (
@@ -174,3 +174,24 @@ def enter(shape: SolidParameters, work: Workspace) -> None:
         find_rim(shape, work, axes_at(y), vec(y, W))
     keep_anchor(shape, work)
     put_back(shape, work, y)
+
+
+@routine
+def end_slow_slips(shape: SolidParameters, work: Workspace) -> None:
+    """End the slips that have turned round, where they are so slow that friction does not follow.
+
+    Else friction would jump from one direction to another across it, again and again.
+    """
+    q, ends = axes_at(work.state), False
+    let_closed_carry(work)
+    for k in range(work.mode.closed):
+        place = work.closed[k]
+        touch, slips = work.touches[place], slips_at(work, place)
+        u = slip_velocity(shape, work, q, work.state, place)
+        turned = u.x * touch.slip_x + u.y * touch.slip_y <= 0.0
+        slow = touch.static > 0.0 and math.sqrt(u.x * u.x + u.y * u.y) < shape.limits.turning
+        touch.moves = 1 if slips and not (turned and slow) else 0
+        ends = ends or (slips and touch.moves == 0)
+    if ends:
+        write_mode(shape, work, q)
+        end_velocities(shape, work, work.state)

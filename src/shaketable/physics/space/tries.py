@@ -208,7 +208,8 @@ def write_carrying(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
     """Write which touches carry, as they move: none pulls, and none sinks that carries nothing.
 
     First those that pull most are dropped together. If others sink then, one after the other
-    changes, always the first that is not as it should be (Murty 1974: this comes to an end).
+    changes, always the first that is not as it should be (Murty 1974, Opsearch 11: where there is
+    one solution this finds it), at most MOST_CHANGES times.
     """
     y, dy = work.state, work.stages[0]
     for _ in range(min(work.mode.touches, MOST_TRIES)):

@@ -369,8 +369,7 @@ def pair_margin(
 @kernel
 def holds_at(work: Workspace, place: int, plane: int) -> bool:
     """Whether a touch carries and sticks on a plane."""
-    touch = work.touches[place]
-    return plane_of(work, place) == plane and touch.carries > 0 and touch.moves == 0
+    return plane_of(work, place) == plane and sticks(work, place)
 
 
 @routine
