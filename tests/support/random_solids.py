@@ -10,10 +10,9 @@ from typing import NamedTuple
 import numpy as np
 
 from shaketable import General, InputError, Motion, Solid, Strap, Surroundings, Wall, uneven_rims
-from shaketable.models.held import columns_of
 from shaketable.models.solid_input import ground_of, shapes_of
 from shaketable.physics.space.drive import move_solid
-from shaketable.physics.space.run import SUMMARY, RunSummary, make_trace
+from shaketable.physics.space.found import Found, make_found, make_trace, numbers_of
 from shaketable.simulate.standing import standing_limit
 
 
@@ -143,17 +142,17 @@ def case(seed: int, castors: bool, straps: bool = False, walls: bool = False) ->
     return Shaken(solid, model, motion, stand, around or None)
 
 
-def run(shaken: Shaken) -> tuple[RunSummary, float]:
+def run(shaken: Shaken) -> tuple[Found, float]:
     """What was found, and how long a core took for it [s]."""
     shapes, workspaces = shapes_of(shaken.solid, shaken.model, shaken.surroundings)
-    found = np.empty((1, columns_of(shaken.surroundings)))
+    found = make_found(1)
     nothing = make_trace(0)
     start = time.process_time()
     move_solid(shapes, workspaces, ground_of(shaken.motion), shaken.stand, False, nothing, found)
-    return RunSummary(*found[0, :SUMMARY].tolist()), time.process_time() - start
+    return numbers_of(found), time.process_time() - start
 
 
-def is_lost(found: RunSummary) -> bool:
+def is_lost(found: Found) -> bool:
     """Whether a run has numbers that are none."""
     told = (found.peak, found.lift, found.yaw, found.displacement_x, found.displacement_y)
     return not all(map(math.isfinite, told))

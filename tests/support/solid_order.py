@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from shaketable import General, Motion, Solid
 from shaketable.models.solid_input import ground_of, shapes_of
 from shaketable.physics.space.drive import move_solid
-from shaketable.physics.space.run import RunSummary, make_trace
+from shaketable.physics.space.found import Found, make_found, make_trace, numbers_of
 
 TRUTH = 1e-14
 TOLERANCES = (1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12)
@@ -28,7 +28,7 @@ class Ended(NamedTuple):
     """A run's state at its last sample, and its numbers of a Found."""
 
     state: NDArray[np.float64]
-    found: RunSummary
+    found: Found
 
 
 def cases() -> dict[str, Case]:
@@ -59,11 +59,11 @@ def ended(case: Case, tolerance: float) -> Ended:
     shapes, workspaces = shapes_of(case.solid, case.model)
     n = case.motion.horizontal.size
     trace = make_trace(n)
-    found = np.zeros((1, len(RunSummary._fields)))
+    found = make_found(1)
     stand = np.array([[0.0, 0.0, 0.0, 1.0, 1.0]])
     shapes["tolerance"] = tolerance
     move_solid(shapes, workspaces, ground_of(case.motion), stand, False, trace, found)
-    return Ended(trace.state[n - 1], RunSummary(*found[0].tolist()))
+    return Ended(trace.state[n - 1], numbers_of(found))
 
 
 def errors(case: Case) -> list[tuple[float, float, float]]:

@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
 from shaketable import General, Motion, Solid, SolidResponse, Surroundings
-from shaketable.models.held import columns_of
 from shaketable.models.solid_input import ground_of, shapes_of
+from shaketable.physics.space.found import Found
 from shaketable.units import STANDARD_GRAVITY
 
 Floats = NDArray[np.float64]
@@ -25,9 +25,7 @@ class Run(NamedTuple):
     velocity: Floats  # (n, 3)
     spin: Floats  # (n, 3), body frame
     rank: NDArray[np.int8]
-    found: object
-    held_up: bool
-    edge: Floats  # what is told of an edge, by the columns of `physics.space.landing`
+    found: Found
 
 
 def moved(run: SolidResponse) -> Floats:
@@ -53,7 +51,7 @@ def released(
     The gap of a wall is from where the body is as it is let go.
     """
     from shaketable.physics.space.drive import move_solid
-    from shaketable.physics.space.run import SUMMARY, RunSummary, make_trace
+    from shaketable.physics.space.found import make_found, make_trace, numbers_of
 
     shapes, workspaces = shapes_of(solid, model, surroundings)
     x, y, z, w = rotation.as_quat()
@@ -68,11 +66,11 @@ def released(
     ]
     samples = motion.horizontal.size
     trace = make_trace(samples)
-    numbers = np.zeros((1, columns_of(surroundings)))
+    all_found = make_found(1)
     stands = np.array([[tilt, azimuth, 0.0, 1.0, 1.0]])
-    move_solid(shapes, workspaces, ground_of(motion), stands, True, trace, numbers)
-    found = RunSummary(*numbers[0, :SUMMARY].tolist())
-    n = min(int(found.samples), samples)
+    move_solid(shapes, workspaces, ground_of(motion), stands, True, trace, all_found)
+    found = numbers_of(all_found)
+    n = min(found.samples, samples)
     state = trace.state[:n]
     time = np.arange(n) * motion.time_step
     if np.isfinite(found.time) and found.samples <= samples:
@@ -85,8 +83,6 @@ def released(
         state[:, 10:],
         trace.rank[:n],
         found,
-        bool(surroundings and numbers[0, SUMMARY] > 0.5),
-        numbers[0, SUMMARY + 1 + 2 * len(surroundings.straps if surroundings else ()) :],
     )
 
 

@@ -17,7 +17,7 @@ from shaketable.models.planar_history import planar_states
 from shaketable.models.scene import Place, let_go, scenes_of
 from shaketable.models.surrounded import told_of
 from shaketable.physics.plane.forcing import Shaking
-from shaketable.physics.space.run import RunSummary, make_trace
+from shaketable.physics.space.found import make_trace, numbers_of
 from shaketable.units import STANDARD_GRAVITY
 
 Floats = NDArray[np.float64]
@@ -69,9 +69,9 @@ def move(
         x, z, theta, *rates = state
         place = Place(x, z, theta)
     trace = make_trace(samples)
-    found = move_deep(scene, ground_of(shaking), np.ones(1), trace, place, rates)
-    summary = RunSummary(*found.summary[0].tolist())
-    told, held = told_of(summary, found, acceleration.size), found.held
+    moved = move_deep(scene, ground_of(shaking), np.ones(1), trace, place, rates)
+    found = numbers_of(moved.found)
+    told, held = told_of(found, acceleration.size), moved.held
 
     def one(values: NDArray[np.generic] | None) -> float:
         return math.nan if values is None else float(values[0])
@@ -79,10 +79,10 @@ def move(
     end = End(
         ending=int(told["ending"]),
         direction=told["direction"],
-        peak=summary.peak,
-        impacts=summary.impacts,
+        peak=found.peak,
+        impacts=found.impacts,
         slip=told["slip"],
-        fallbacks=summary.fallbacks,
+        fallbacks=found.fallbacks,
         held_up=bool(held.held_up is not None and held.held_up[0]),
         off_edge=bool(held.off_edge is not None and held.off_edge[0]),
         left_at=one(held.left_support_at),
@@ -91,4 +91,4 @@ def move(
         landing_speed=one(held.landing_speed),
         landing_rotation=one(held.landing_rotation),
     )
-    return Moved(end, held, planar_states(trace.state[: int(summary.samples)]))
+    return Moved(end, held, planar_states(trace.state[: found.samples]))

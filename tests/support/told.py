@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TypeGuard
 
 from shaketable.engine import endings
-from shaketable.physics.space import run
+from shaketable.physics.space import ending
 from shaketable.report import page
 from tests.support.imports import FILES, PACKAGE
 
@@ -37,7 +37,7 @@ def sentences() -> Iterator[str]:
                         yield from (thing, f"{first}s{of}{rest}")
             elif _logs(node) and path.relative_to(PACKAGE).parts[0] in LOGS:
                 yield from (each for each in _texts(node.args[0]) if each not in PLAIN)
-    for some in (endings.SENTENCES, run.SENTENCES):
+    for some in (endings.SENTENCES, ending.SENTENCES):
         yield from some.values()
 
 

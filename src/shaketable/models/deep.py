@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.body import Body
-from shaketable.models.held import columns_of, held_of
+from shaketable.models.held import held_of
 from shaketable.models.model import Held
 from shaketable.models.scene import Place, Scene, gap_of, placed, upright_of
 from shaketable.models.solid_input import shapes_of
@@ -21,23 +21,22 @@ from shaketable.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from shaketable.physics.plane.forcing import Shaking
-    from shaketable.physics.space.run import GroundAcceleration, SolidTrace
+    from shaketable.physics.space.found import FoundRecords, SolidTrace
+    from shaketable.physics.space.ground import GroundAcceleration
     from shaketable.physics.space.workspace import Workspaces
 
 DEPTH = 4.4  # of its diagonal: any will do
 
 
-class Found(NamedTuple):
-    """What runs of one scene have found, (run, ...).
+class Moved(NamedTuple):
+    """What became of the runs of one scene, (run,).
 
     Attributes:
-        summary: the numbers of a `physics.space.run.RunSummary`, (run, field).
-        plane: those that `physics.space.in_plane` writes, (run, column).
+        found: what is told of each.
         held: what the surroundings did.
     """
 
-    summary: NDArray[np.float64]
-    plane: NDArray[np.float64]
+    found: FoundRecords
     held: Held
 
 
@@ -74,7 +73,7 @@ def _strap_in_space(strap: Strap) -> Strap:
 
 def ground_of(shaking: Shaking) -> GroundAcceleration:
     """A planar motion in space."""
-    from shaketable.physics.space.run import GroundAcceleration
+    from shaketable.physics.space.ground import GroundAcceleration
 
     acceleration = np.zeros((shaking.a_x.size, 3))
     acceleration[:, 0] = shaking.a_x
@@ -96,7 +95,7 @@ def move(
     trace: SolidTrace,
     place: Place | None = None,
     rates: Sequence[float] = (0.0, 0.0, 0.0),
-) -> Found:
+) -> Moved:
     """Simulate the deep solid of a scene, once for each polarity; the last one is traced.
 
     Args:
@@ -107,8 +106,7 @@ def move(
         place, rates: where it begins, and how fast it is there; None at rest on its base.
     """
     from shaketable.physics.space.drive import move_solid
-    from shaketable.physics.space.in_plane import IN_PLANE
-    from shaketable.physics.space.run import SUMMARY
+    from shaketable.physics.space.found import make_found
 
     body, begins = scene.body, place or upright_of(scene.body)
     around = around_deep(scene, begins)
@@ -119,13 +117,13 @@ def move(
     if place is not None:
         workspaces["state"][0] = state_of(place, rates)
         _measure_upright(scene, place, workspaces)
-    found = np.zeros((polarity.size, columns_of(around) + IN_PLANE))
+    found = make_found(polarity.size)
     stands = np.zeros((polarity.size, 5))
     # toward azimuth 0 below zero, so that its sines are exact: downhill is -x on a positive tilt
     stands[:, 0], stands[:, 3], stands[:, 4] = -scene.tilt, 1.0, polarity
     move_solid(shapes, workspaces, ground, stands, place is not None, trace, found)
     held = held_of(found, around, body.mass)._replace(landing_y=None)
-    return Found(found[:, :SUMMARY], found[:, columns_of(around) :], held)
+    return Moved(found, held)
 
 
 def _measure_upright(scene: Scene, place: Place, workspaces: Workspaces) -> None:

@@ -1,54 +1,43 @@
-"""What runs tell of their surroundings, after the numbers of their RunSummary."""
+"""What runs tell of their surroundings."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from shaketable.models.model import Held
 from shaketable.surroundings import Surroundings
 
-
-def columns_of(surroundings: Surroundings | None) -> int:
-    """How many numbers a run in such surroundings tells, beside those of a body in the plane."""
-    from shaketable.physics.space.landing import EDGE
-    from shaketable.physics.space.run import SUMMARY
-
-    around = surroundings or Surroundings()
-    return SUMMARY + 1 + 2 * len(around.straps) + (EDGE if around.edge else 0)
+if TYPE_CHECKING:
+    from shaketable.physics.space.found import FoundRecords
 
 
-def held_of(found: NDArray[np.float64], surroundings: Surroundings, mass: float | None) -> Held:
-    """What surroundings did, by what runs have found, (run, column).
+def held_of(found: FoundRecords, surroundings: Surroundings, mass: float | None) -> Held:
+    """What surroundings did.
 
     Args:
-        found: as `physics.space.drive.move_solid` writes it.
+        found: what is told of each run in them, (run,).
         surroundings: of these runs.
         mass: of the body [kg].
     """
-    from shaketable.physics.space import landing
-    from shaketable.physics.space.run import SUMMARY
-
     straps = len(surroundings.straps)
-    each = found[:, SUMMARY + 1 : SUMMARY + 1 + 2 * straps].reshape(len(found), straps, 2)
     held = Held(
-        held_up=found[:, SUMMARY] > 0.5,
-        strap_force=(mass or np.nan) * each[..., 0],
-        strap_broke_at=each[..., 1].copy(),
+        held_up=found["held_up"] > 0,
+        strap_force=(mass or np.nan) * found["strap_force"][:, :straps],
+        strap_broke_at=found["strap_broke_at"][:, :straps].copy(),
     )
     if not surroundings.edge:
         return held
-    told = found[:, SUMMARY + 1 + 2 * straps :]
     return held._replace(
-        off_edge=told[:, landing.OFF] > 0.5,
-        left_support_at=told[:, landing.LEFT_AT].copy(),
-        landing_time=told[:, landing.LANDING_TIME].copy(),
-        landing_x=told[:, landing.LANDING_X].copy(),
-        landing_y=told[:, landing.LANDING_Y].copy(),
-        landing_speed=told[:, landing.LANDING_SPEED].copy(),
-        landing_rotation=told[:, landing.LANDING_TURN].copy(),
+        off_edge=found["off_edge"] > 0,
+        left_support_at=found["left_at"].copy(),
+        landing_time=found["landing_time"].copy(),
+        landing_x=found["landing_x"].copy(),
+        landing_y=found["landing_y"].copy(),
+        landing_speed=found["landing_speed"].copy(),
+        landing_rotation=found["landing_rotation"].copy(),
     )
 
 

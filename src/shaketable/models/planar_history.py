@@ -13,7 +13,7 @@ from shaketable.physics.plane.phases import Phase, on_tilt
 from shaketable.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
-    from shaketable.physics.space.run import SolidTrace
+    from shaketable.physics.space.found import SolidTrace
 
 CLOSED = 1e-8  # of the height: a corner that is so low is on the support
 SLIPS = 1e-6  # of √(g h): a corner beside a wall or an edge that is slower sticks

@@ -15,7 +15,7 @@ from shaketable.surroundings import Surroundings
 from shaketable.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
-    from shaketable.physics.space.run import GroundAcceleration
+    from shaketable.physics.space.ground import GroundAcceleration
     from shaketable.physics.space.workspace import SolidRecords, Thresholds, Workspaces
 
 # Choices of the engine. Shares over ensembles do not depend on them: `benchmarks.solid_choices`.
@@ -229,7 +229,7 @@ def _six(tensor: NDArray[np.float64]) -> tuple[float, ...]:
 
 def ground_of(motion: Motion) -> GroundAcceleration:
     """A motion's components side by side."""
-    from shaketable.physics.space.run import GroundAcceleration
+    from shaketable.physics.space.ground import GroundAcceleration
 
     acceleration = np.zeros((motion.horizontal.size, 3))
     acceleration[:, 0] = motion.horizontal

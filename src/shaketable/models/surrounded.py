@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.engine.endings import Ending
-from shaketable.models.deep import Found, ground_of, move
+from shaketable.models.deep import Moved, ground_of, move
 from shaketable.models.engine_input import samples_shown
 from shaketable.models.held import nothing_held
 from shaketable.models.model import Held, ManyRuns, OneRun
@@ -23,7 +23,7 @@ from shaketable.models.scene import MARGIN, Scene, let_go, require_clear
 
 if TYPE_CHECKING:
     from shaketable.physics.plane.forcing import Shaking
-    from shaketable.physics.space.run import RunSummary
+    from shaketable.physics.space.found import Found
 
 FLIGHT = 1.0  # m: of what counts as near of a body that flew, with ten times its clearance
 IMPACTS = 64  # for which memory is allocated at first
@@ -52,27 +52,25 @@ def run_surrounded(
     scenes: NDArray[np.object_], polarity: NDArray[np.float64], shaking: Shaking, runs: ManyRuns
 ) -> ManyRuns:
     """The runs of free bodies, with those that met what surrounds them simulated again."""
-    from shaketable.physics.space.run import RunSummary, make_trace
+    from shaketable.physics.space.found import make_trace, numbers_of
 
     held = nothing_held([scene.surroundings for scene in scenes])
     ground, nothing = ground_of(shaking), make_trace(0)
     for k in np.flatnonzero(comes_near(scenes, runs)).tolist():
-        found = move(scenes[k], ground, polarity[k : k + 1], nothing)
-        if not has_met(found):
+        moved = move(scenes[k], ground, polarity[k : k + 1], nothing)
+        if not has_met(moved):
             continue
-        told = told_of(RunSummary(*found.summary[0].tolist()), found, shaking.a_x.size)
+        told = told_of(numbers_of(moved.found), shaking.a_x.size)
         for name, value in told.items():
             getattr(runs, name)[k] = value
-        put_held(held, k, found.held)
+        put_held(held, k, moved.held)
     return runs._replace(held=held)
 
 
-def has_met(found: Found) -> bool:
+def has_met(moved: Moved) -> bool:
     """Whether a run met anything but its support."""
-    from shaketable.physics.space.in_plane import MET
-
-    gone = found.held.off_edge is not None and bool(found.held.off_edge[0])
-    return gone or found.plane[0, MET] > 0.0 or bool((found.held.strap_force[0] > 0.0).any())
+    found = moved.found[0]
+    return bool(found["off_edge"] or found["met"] or (moved.held.strap_force[0] > 0.0).any())
 
 
 def put_held(held: Held, k: int, one: Held) -> None:
@@ -86,42 +84,38 @@ def put_held(held: Held, k: int, one: Held) -> None:
                 whole[k] = value[0]
 
 
-def told_of(summary: RunSummary, found: Found, samples: int) -> dict[str, float]:
+def told_of(found: Found, samples: int) -> dict[str, float]:
     """What is told of one run, by the names of ManyRuns."""
-    from shaketable.physics.space.in_plane import BACK, FRONT, SLIP
-
-    fell = not math.isnan(summary.fall_azimuth)
-    toward = math.copysign(1.0, math.cos(summary.fall_azimuth)) if fell else 0.0
-    plane = found.plane[0]
+    fell = not math.isnan(found.fall_azimuth)
+    toward = math.copysign(1.0, math.cos(found.fall_azimuth)) if fell else 0.0
     return {
-        "ending": float(ending_of(summary, samples)),
+        "ending": float(ending_of(found, samples)),
         "direction": toward,
-        "overturning_time": summary.time,
-        "peak": summary.peak,
-        "impacts": summary.impacts,
-        "slip": float(plane[SLIP]),
-        "farthest_left": float(plane[BACK]),
-        "farthest_right": float(plane[FRONT]),
-        "lift": summary.lift,
+        "overturning_time": found.time,
+        "peak": found.peak,
+        "impacts": float(found.impacts),
+        "slip": found.slip,
+        "farthest_left": found.slip_back,
+        "farthest_right": found.slip_front,
+        "lift": found.lift,
     }
 
 
-def ending_of(summary: RunSummary, samples: int) -> Ending:
+def ending_of(found: Found, samples: int) -> Ending:
     """How a run ended; what is given up before its motion ends is not resolved."""
-    ending = Ending(int(summary.ending))
-    given_up = ending is Ending.STILL_ROCKING and summary.samples < samples
+    ending = Ending(found.ending)
+    given_up = ending is Ending.STILL_ROCKING and found.samples < samples
     return Ending.UNRESOLVED if given_up else ending
 
 
-def times_of(shaking: Shaking, end: RunSummary, held: Held) -> NDArray[np.float64]:
+def times_of(shaking: Shaking, end: Found) -> NDArray[np.float64]:
     """When the samples of a run are [s]; the last one of a body that fell is at its fall."""
-    from shaketable.physics.space.run import FREE_STEP
+    from shaketable.physics.space.ending import FREE_STEP
 
-    at, last = np.arange(int(end.samples)), shaking.a_x.size - 1
+    at, last = np.arange(end.samples), shaking.a_x.size - 1
     after = last * shaking.time_step + (at - last) * max(shaking.time_step, FREE_STEP)
     time: NDArray[np.float64] = np.where(at <= last, at * shaking.time_step, after)
-    over = held.off_edge is not None and bool(held.off_edge[0])
-    fell = float(held.landing_time[0]) if over and held.landing_time is not None else end.time
+    fell = end.landing_time if end.off_edge else end.time
     if math.isfinite(fell):
         time[-1] = fell
     return time
@@ -135,22 +129,22 @@ def run_one_surrounded(
     Raises:
         InputError: let go at a rotation [rad] at which it stands in a wall.
     """
-    from shaketable.physics.space.run import RunSummary, make_trace
+    from shaketable.physics.space.found import make_trace, numbers_of
 
     require_clear(scene, rotation)
     ground, place = ground_of(shaking), let_go(scene.body, rotation) if rotation else None
     samples, impacts = shaking.a_x.size + FREE_SAMPLES, IMPACTS
     while True:
         trace = make_trace(samples, impacts)
-        found = move(scene, ground, np.ones(1), trace, place)
-        end = RunSummary(*found.summary[0].tolist())
+        moved = move(scene, ground, np.ones(1), trace, place)
+        end = numbers_of(moved.found)
         if end.samples <= samples and end.impacts <= impacts:
             break
-        samples, impacts = max(samples, int(end.samples)), max(impacts, int(end.impacts))
-    if not has_met(found):
+        samples, impacts = max(samples, end.samples), max(impacts, end.impacts)
+    if not has_met(moved):
         return None
-    told = told_of(end, found, shaking.a_x.size)
-    body, time = scene.body, times_of(shaking, end, found.held)
+    told = told_of(end, shaking.a_x.size)
+    body, time = scene.body, times_of(shaking, end)
     shown = np.union1d(samples_shown(time.size, parts, shaking), [time.size - 1])
     state = planar_states(trace.state[shown])
     changes, phases = phases_of(body, scene.tilt, trace, time.size, time)
@@ -159,7 +153,7 @@ def run_one_surrounded(
         direction=int(told["direction"]),
         overturning_time=end.time,
         peak_rotation=end.peak,
-        impact_times=trace.impact_times[: int(end.impacts)].copy(),
+        impact_times=trace.impact_times[: end.impacts].copy(),
         time=time[shown],
         rotation=state[:, 2].copy(),
         angular_velocity=state[:, 5].copy(),
@@ -172,6 +166,6 @@ def run_one_surrounded(
         max_lift=end.lift,
         phase_times=changes,
         phases=phases,
-        held=found.held,
-        fallbacks=int(end.fallbacks),
+        held=moved.held,
+        fallbacks=end.fallbacks,
     )

@@ -215,7 +215,7 @@ class Space(Kind):
 
     @property
     def sentences(self) -> Mapping[int, str]:
-        from shaketable.physics.space.run import SENTENCES as OF_SOLIDS
+        from shaketable.physics.space.ending import SENTENCES as OF_SOLIDS
 
         return OF_SOLIDS
 

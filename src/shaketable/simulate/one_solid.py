@@ -13,8 +13,7 @@ from shaketable.engine.endings import Ending
 from shaketable.errors import InputError, require_number
 from shaketable.language import translated
 from shaketable.models import Model
-from shaketable.models.held import columns_of, held_of
-from shaketable.models.model import Held
+from shaketable.models.held import held_of
 from shaketable.models.solid_input import ground_of, shapes_of
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
@@ -31,7 +30,7 @@ from shaketable.support import Support
 from shaketable.surroundings import Surroundings
 
 if TYPE_CHECKING:
-    from shaketable.physics.space.run import RunSummary
+    from shaketable.physics.space.found import Found
 
 log = logging.getLogger(__name__)
 
@@ -49,7 +48,7 @@ def simulate_solid(
 ) -> SolidResponse:
     """Shake one solid and keep its history; arguments as for `simulate`."""
     from shaketable.physics.space.drive import move_solid
-    from shaketable.physics.space.run import OVERTURNED, SUMMARY, RunSummary, make_trace
+    from shaketable.physics.space.found import OVERTURNED, make_found, make_trace, numbers_of
     from shaketable.physics.space.workspace import Q
 
     general = model_for_solids(model)
@@ -64,18 +63,18 @@ def simulate_solid(
     shapes, workspaces = shapes_of(solid, general, surroundings)
     ground, stands = ground_of(motion), np.array([[tilt, azimuth, orientation, 1.0, 1.0]])
     samples = motion.horizontal.size + FREE_SAMPLES
-    numbers = np.zeros((1, columns_of(surroundings)))
+    all_found = make_found(1)
     while True:
         trace = make_trace(samples)
-        move_solid(shapes, workspaces, ground, stands, False, trace, numbers)
-        found = RunSummary(*numbers[0, :SUMMARY].tolist())
+        move_solid(shapes, workspaces, ground, stands, False, trace, all_found)
+        found = numbers_of(all_found)
         if found.samples <= samples:
             break
-        samples = int(found.samples)
-    n = int(found.samples)
+        samples = found.samples
+    n = found.samples
     log_ending(found, solid)
-    fell = int(found.ending) == OVERTURNED
-    held = held_of(numbers, surroundings, solid.mass) if surroundings else None
+    fell = found.ending == OVERTURNED
+    held = held_of(all_found, surroundings, solid.mass) if surroundings else None
     state = trace.state[:n]
     toward = math.cos(found.fall_azimuth - azimuth) if fell else math.nan
     return SolidResponse(
@@ -83,7 +82,7 @@ def simulate_solid(
         overturning_time=found.time,
         fall_azimuth=found.fall_azimuth,
         within_45_of_dip=fell and abs(toward) >= math.sqrt(0.5),
-        pivot_contacts=tuple(int(row) for row in (found.lowest, found.beside) if row >= 0.0),
+        pivot_contacts=tuple(row for row in (found.lowest, found.beside) if row >= 0),
         peak_rotation=found.peak,
         displacement_x=found.displacement_x,
         displacement_y=found.displacement_y,
@@ -93,16 +92,16 @@ def simulate_solid(
         yaw_at_motion_end=found.shaken_yaw,
         farthest_displacement=found.farthest,
         max_lift=found.lift,
-        ending=Ending(int(found.ending)),
-        impacts=int(found.impacts),
-        time=times_of(motion, n, last_of(found, held)),
+        ending=Ending(found.ending),
+        impacts=found.impacts,
+        time=times_of(motion, n, found.landing_time if found.off_edge else found.time),
         position=state[:, :Q].copy(),
         velocity=state[:, 7:10].copy(),
         quaternions=state[:, [Q + 1, Q + 2, Q + 3, Q]],
         angular_velocity=state[:, 10:].copy(),
         contact=tuple(Contact(code) for code in trace.rank[:n]),
         grip=tuple(Grip(code) for code in trace.hold[:n]),
-        fallbacks=int(found.fallbacks),
+        fallbacks=found.fallbacks,
         orientation=float(orientation),
         **held_by(held),
         surroundings=surroundings,
@@ -113,17 +112,14 @@ def simulate_solid(
     )
 
 
-def last_of(found: RunSummary, held: Held | None) -> float:
-    """When the history of a solid that fell ends [s]; NaN if it hangs on over the edge."""
-    if held is not None and held.off_edge is not None and held.off_edge[0]:
-        assert held.landing_time is not None
-        return float(held.landing_time[0])
-    return found.time
-
-
 def times_of(motion: Motion, samples: int, fall: float) -> NDArray[np.float64]:
-    """Times of a history's samples [s]; the last one of a solid that fell is at its fall."""
-    from shaketable.physics.space.run import FREE_STEP
+    """Times of a history's samples [s].
+
+    Args:
+        motion, samples: that of the ground, and how many samples the history has.
+        fall: when it ends with a fall; NaN if it hangs on over the edge, or did not fall.
+    """
+    from shaketable.physics.space.ending import FREE_STEP
 
     last = motion.horizontal.size - 1
     step = max(motion.time_step, FREE_STEP)
@@ -134,12 +130,12 @@ def times_of(motion: Motion, samples: int, fall: float) -> NDArray[np.float64]:
     return time
 
 
-def log_ending(found: RunSummary, solid: Solid) -> None:
+def log_ending(found: Found, solid: Solid) -> None:
     """Log what a user should know of how a run ended."""
-    from shaketable.physics.space.run import SENTENCES
+    from shaketable.physics.space.ending import SENTENCES
 
-    if int(found.ending) in SENTENCES:
-        log.warning("%s %s", solid.name or "the solid", translated(SENTENCES[int(found.ending)]))
+    if found.ending in SENTENCES:
+        log.warning("%s %s", solid.name or "the solid", translated(SENTENCES[found.ending]))
 
 
 def outcome_of(toward: float) -> Outcome:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from shaketable.errors import InputError, joined
 from shaketable.models import General
-from shaketable.models.held import columns_of, held_of
+from shaketable.models.held import held_of
 from shaketable.models.solid_input import ground_of, shapes_of
 from shaketable.motion import Motion
 from shaketable.outcome import Outcome
@@ -23,6 +23,9 @@ from shaketable.support import Support
 from shaketable.surroundings import Surroundings
 from shaketable.units import degrees
 
+if TYPE_CHECKING:
+    from shaketable.physics.space.found import FoundRecords
+
 RUNS_PER_TASK = 4  # some take a thousand times as long as others
 
 
@@ -32,7 +35,7 @@ class SolidBatch(NamedTuple):
     Attributes:
         solid_number, motion_number: theirs, among those of the ensemble.
         members: numbers of the runs in the ensemble, (run,).
-        stands: the numbers of a `physics.space.run.RunSetup` for each, (run, 5).
+        stands: the numbers of a `physics.space.ground.RunSetup` for each, (run, 5).
         surroundings: what holds it.
     """
 
@@ -59,7 +62,7 @@ def tasks_of(model: General, batches: Iterable[SolidBatch]) -> Iterator[Callable
 def _tasks(batch: SolidBatch, model: General) -> Iterator[Callable[[], Part]]:
     """The runs of a batch, some in each task."""
     from shaketable.physics.space.drive import move_solid
-    from shaketable.physics.space.run import SUMMARY, make_trace
+    from shaketable.physics.space.found import make_found, make_trace
 
     around = batch.surroundings
     shapes, workspaces = shapes_of(batch.solid, model, batch.surroundings)
@@ -69,47 +72,42 @@ def _tasks(batch: SolidBatch, model: General) -> Iterator[Callable[[], Part]]:
     def run(first: int) -> Part:
         some = slice(first, first + RUNS_PER_TASK)
         members, stands = batch.members[some], batch.stands[some]
-        found = np.zeros((members.size, columns_of(around)))
+        found = make_found(members.size)
         move_solid(shapes, workspaces.copy(), ground, stands, False, nothing, found)
-        part = part_of(members, stands, found[:, :SUMMARY])
+        part = part_of(members, stands, found)
         return with_held(part, held_of(found, around, batch.solid.mass)) if around else part
 
     return (partial(run, first) for first in range(0, batch.members.size, RUNS_PER_TASK))
 
 
-def part_of(
-    members: NDArray[np.intp], stands: NDArray[np.float64], found: NDArray[np.float64]
-) -> Part:
+def part_of(members: NDArray[np.intp], stands: NDArray[np.float64], found: FoundRecords) -> Part:
     """The results of members by their names; a fall is downhill within 90° of it.
 
     Args:
         members: their numbers.
         stands: as in Batch.
-        found: the numbers of a `physics.space.run.RunSummary` for each, (member, field).
+        found: what is told of each, (member,).
     """
-    from shaketable.physics.space.run import RunSummary
-
-    columns = dict(zip(RunSummary._fields, found.T, strict=True))
-    toward = np.cos(columns["fall_azimuth"] - stands[:, 1])
+    toward = np.cos(found["fall_azimuth"] - stands[:, 1])
     outcome = np.where(toward >= 0.0, Outcome.DOWNHILL, Outcome.UPHILL)
     outcome[np.isnan(toward)] = Outcome.STANDING
     return Part(
         members,
         {
             "outcome": outcome,
-            "overturning_time": columns["time"],
-            "peak_rotation": columns["peak"],
-            "impacts": columns["impacts"],
-            "ending": columns["ending"],
-            "fall_azimuth": columns["fall_azimuth"],
-            "displacement_x": columns["displacement_x"],
-            "displacement_y": columns["displacement_y"],
-            "yaw": columns["yaw"],
-            "max_lift": columns["lift"],
-            "displacement_x_at_motion_end": columns["shaken_x"],
-            "displacement_y_at_motion_end": columns["shaken_y"],
-            "yaw_at_motion_end": columns["shaken_yaw"],
-            "farthest_displacement": columns["farthest"],
+            "overturning_time": found["time"],
+            "peak_rotation": found["peak"],
+            "impacts": found["impacts"],
+            "ending": found["ending"],
+            "fall_azimuth": found["fall_azimuth"],
+            "displacement_x": found["displacement_x"],
+            "displacement_y": found["displacement_y"],
+            "yaw": found["yaw"],
+            "max_lift": found["lift"],
+            "displacement_x_at_motion_end": found["shaken_x"],
+            "displacement_y_at_motion_end": found["shaken_y"],
+            "yaw_at_motion_end": found["shaken_yaw"],
+            "farthest_displacement": found["farthest"],
         },
     )
 
@@ -120,7 +118,7 @@ def stands_of(
     scales: Iterable[float],
     polarities: Iterable[float],
 ) -> NDArray[np.float64]:
-    """The numbers of a `physics.space.run.RunSetup` for runs side by side, (run, 5)."""
+    """The numbers of a `physics.space.ground.RunSetup` for runs side by side, (run, 5)."""
     rows = [
         (*upright(support), orientation, scale, polarity)
         for support, orientation, scale, polarity in zip(

@@ -19,9 +19,6 @@ from shaketable import (
     simulate,
     simulate_many,
 )
-from shaketable.physics.space.landing import (
-    OFF,
-)
 from tests.support.solids import energy, quiet, released
 
 G = 9.80665
@@ -48,7 +45,7 @@ def test_a_body_stands_while_its_centre_of_gravity_is_over_the_support(
         position=(0.4 + past, 0.0, 0.3), rotation=Rotation.from_rotvec((0.0, 0.0, turn)),
         surroundings=Surroundings(edge=Edge(at=0.4, friction=0.5)),
     )  # fmt: skip
-    assert (run.edge[OFF] == 1.0) == falls
+    assert (run.found.off_edge == 1) == falls
 
 
 @pytest.mark.parametrize("turn", [0.0, 0.3, 1.1, 2.9])

@@ -24,7 +24,10 @@ from shaketable import simulate_many as many
 from shaketable.engine.endings import Ending
 from shaketable.models.solid_input import ground_of, shapes_of
 from shaketable.physics.space.drive import move_solid
-from shaketable.physics.space.run import RunSummary, make_trace
+from shaketable.physics.space.ending import PER_EVENT, SENTENCES
+from shaketable.physics.space.found import FOUND, STILL_MOVING, make_found, make_trace, numbers_of
+from shaketable.physics.space.ground import RunSetup
+from shaketable.physics.space.telling import tell
 from shaketable.physics.space.workspace import WORKSPACE
 from tests.support import random_solids
 
@@ -154,23 +157,24 @@ def test_a_run_has_a_budget_of_steps(monkeypatch: pytest.MonkeyPatch) -> None:
     """
     from shaketable.physics.space import run as engine
 
-    monkeypatch.setattr(engine, "MOST_STEPS", 40.0)
-    monkeypatch.setattr(engine, "PER_SAMPLE", 0.0)
+    monkeypatch.setattr(engine, "MOST_STEPS", 40)
+    monkeypatch.setattr(engine, "PER_SAMPLE", 0)
     push = np.full(200, 6.0)
     motion = Motion(push, 0.01, transverse=0.3 * push)
     shapes, workspaces = shapes_of(Solid.box(0.4, 0.4, 1.0), General(static_friction=0.7))
-    nothing = engine.make_trace(0)
-    found = np.empty(len(engine.RunSummary._fields))
+    nothing = make_trace(0)
+    found = make_found(1)
     shape, work = shapes[0], workspaces[0]
     engine.place(shape, work, 0.0)
-    stand = engine.RunSetup(0.0, math.pi, 0.0, 1.0, 1.0)
-    engine.run.py_func(shape, work, ground_of(motion), stand, nothing, found)
-    told = engine.RunSummary(*found.tolist())
-    assert told.ending == engine.STILL_MOVING
-    assert told.steps + engine.PER_EVENT * told.events < 40.0 + 1_000.0  # the last interval's
-    assert 0.0 < told.samples < 200.0
+    stand = RunSetup(0.0, math.pi, 0.0, 1.0, 1.0)
+    engine.run.py_func(shape, work, ground_of(motion), stand, nothing)
+    tell.py_func(shape, work, found[0])
+    told = numbers_of(found)
+    assert told.ending == STILL_MOVING
+    assert told.steps + PER_EVENT * told.events < 40 + 1_000  # the last interval's
+    assert 0 < told.samples < 200
     assert (told.shaken_x, told.shaken_y) == (told.displacement_x, told.displacement_y) != (0, 0)
-    assert "200,000 steps and" in engine.SENTENCES[engine.STILL_MOVING]
+    assert "200,000 steps and" in SENTENCES[STILL_MOVING]
 
 
 def spoil(numbers: NDArray[Any]) -> None:
@@ -195,11 +199,12 @@ def test_a_run_does_not_see_what_lay_in_its_room() -> None:
             spoilt["points"][name][0, shapes[0]["contacts"] :] = np.nan
         for name in set(WORKSPACE.names or ()) - {"points"}:
             spoil(spoilt[name])
-        found = np.empty((2, 1, len(RunSummary._fields)))
+        found = np.full((2, 1), 7, FOUND)
         for workspaces, one in zip((clean, spoilt), found, strict=True):
             move_solid(
                 shapes, workspaces, ground_of(shaken.motion), shaken.stand, False, nothing, one
             )
-        np.testing.assert_array_equal(*found)
+        for name in FOUND.names or ():
+            np.testing.assert_array_equal(*found[name], name)
         compared += 1
     assert compared > 20

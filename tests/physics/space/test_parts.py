@@ -9,8 +9,9 @@ import pytest
 
 from shaketable import General, Solid, Surroundings, Wall
 from shaketable.models.solid_input import shapes_of
+from shaketable.physics.space.ending import cannot_fall
 from shaketable.physics.space.impact import strike
-from shaketable.physics.space.run import cannot_fall, place
+from shaketable.physics.space.run import place
 from shaketable.physics.space.settling import creep
 from shaketable.physics.space.step import Pull
 from shaketable.physics.space.touches import gather_touches

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from shaketable.physics.space.run import STANDING
+from shaketable.physics.space.found import STANDING
 from tests.support.random_solids import case, is_lost, run
 
 

@@ -146,7 +146,7 @@ def choose_together(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     if not found:
         found = try_by_planes(shape, work, q, f)
     if not found:
-        work.tally.fallbacks += 1.0
+        work.tally.fallbacks += 1
         jams = try_stopping_slips(shape, work, q)
         note_moving(shape, work, q, work.mode.touches, shape.limits.slow)
         if not (jams and try_letting_slip(shape, work, q, f)):

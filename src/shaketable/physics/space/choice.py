@@ -294,7 +294,7 @@ def choose_on_support(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     if not found:
         found = solve_together(shape, work, q, f)
         if not found:
-            work.tally.fallbacks += 1.0
+            work.tally.fallbacks += 1
             if shape.least_static == math.inf:  # it can neither slip nor leave: it stays
                 close_all(shape, work)
                 arrange(shape, work, STICKS, 0)

@@ -44,7 +44,7 @@ from shaketable.physics.space.workspace import (
 # as they are found.
 SWEEPS = 500
 #: After so many solves of a run that did not converge, limit later ones to so many sweeps.
-MAX_UNCONVERGED, FEWER_SWEEPS = 100.0, 50
+MAX_UNCONVERGED, FEWER_SWEEPS = 100, 50
 SOON = 24  # sweeps beside walls, before each touch is solved exactly
 CONVERGED_FORCES, CONVERGED = 1e-9, 1e-11  # of the largest acceleration or velocity
 AGAIN, STEADY = 32, 0.5  # after so many sweeps, to see whether changes fall to less than a share

@@ -14,6 +14,7 @@ from shaketable.physics.space.vectors import (
     dot,
     on_support,
     subtract,
+    times,
 )
 from shaketable.physics.space.workspace import (
     Floats,
@@ -201,3 +202,17 @@ def flat_margin(
         inward = dx * (across - total * z) - dz * (along - total * x)
         least = min(least, inward / (math.sqrt(dx * dx + dz * dz) * shape.reach))
     return least
+
+
+@kernel
+def twist(y) -> float:  # type: ignore[no-untyped-def]
+    """Turn about the support's normal (swing and twist), in (-π, π]."""
+    angle = 2.0 * math.atan2(y[Q + 3], y[Q])
+    return angle - 2.0 * math.pi * math.floor((angle + math.pi) / (2.0 * math.pi))
+
+
+@kernel
+def foot_of(shape: SolidParameters, work: Workspace) -> Vec:
+    """Foot of the centre of gravity on the base."""
+    q = axes_at(work.state)
+    return subtract(vec(work.state, P), times(shape.h, Vec(q.x.z, q.y.z, q.z.z)))

@@ -91,7 +91,7 @@ def strike(shape: SolidParameters, work: Workspace, share: float, within: float)
         return BOUNCES if bounces_any(work) else STAYS
     sweeps = sweeps_left(work) if within == 0.0 else CREEP_SWEEPS
     if not balance(shape, work, work.mode.touches, False, ZERO, sweeps):
-        work.tally.fallbacks += 1.0
+        work.tally.fallbacks += 1
     put(y, V, add(vec(y, V), on_support(q, vec(work.change, 0))))
     put(y, W, add(vec(y, W), vec(work.change, 3)))
     return SLIPS
@@ -238,7 +238,7 @@ def collide(shape: SolidParameters, work: Workspace) -> None:
     allowed = kinetic_energy(shape, before) * (1.0 + ENERGY_SLACK)
     if not bounces_any(work) or kinetic_energy(shape, work.state) <= allowed:
         return
-    work.tally.energy_cuts += 1.0
+    work.tally.energy_cuts += 1
     low, high = 0.0, 1.0
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)

@@ -1,4 +1,4 @@
-"""What is told of a deep body that moves in the plane of x and z alone, as a planar one does.
+"""What a deep body that moves in the plane of x and z alone keeps, and notes, as a planar one does.
 
 Its corners on the support stand for the corners of a planar body; how far they slip is told along
 x, from where they stood upright.
@@ -7,14 +7,10 @@ x, from where they stood upright.
 from __future__ import annotations
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.contacts import arm, axes_at, height, normalise
+from shaketable.physics.space.contacts import arm, axes_at, normalise
 from shaketable.physics.space.edge import support_gap
 from shaketable.physics.space.vectors import on_support
 from shaketable.physics.space.workspace import Floats, P, Q, SolidParameters, V, W, Workspace
-
-#: Columns of what is found: slip of the lowest corner at the end, the farthest slips of corners on
-#: the support toward -x and +x [m], and whether anything but the support was met.
-SLIP, BACK, FRONT, MET, IN_PLANE = range(5)
 
 
 @routine
@@ -40,15 +36,3 @@ def note_slips_in_plane(shape: SolidParameters, work: Workspace) -> None:
             slip = slip_of(shape, work, point)
             tally.slip_back = min(tally.slip_back, slip)
             tally.slip_front = max(tally.slip_front, slip)
-
-
-@routine
-def write_in_plane(shape: SolidParameters, work: Workspace, found: Floats, first: int) -> None:
-    """Write the columns from `first` on."""
-    q, lowest = axes_at(work.state), 0
-    for point in range(shape.contacts):
-        if height(shape, work, q, work.state, point) < height(shape, work, q, work.state, lowest):
-            lowest = point
-    found[first + SLIP] = slip_of(shape, work, lowest)
-    found[first + BACK], found[first + FRONT] = work.tally.slip_back, work.tally.slip_front
-    found[first + MET] = work.tally.met

@@ -6,29 +6,10 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.dormand_prince import next_part
-from shaketable.physics.space.beside import choose, choose_together
+from shaketable.physics.space.beside import choose
 from shaketable.physics.space.constraints import pulls
-from shaketable.physics.space.contacts import (
-    LEVEL,
-    axes_at,
-    begin_rim,
-    find_rim,
-    lies_on_rim,
-    on_rim,
-    velocity,
-)
-from shaketable.physics.space.edge import (
-    PAST,
-    clearance,
-    hangs_over,
-    has_edge,
-    is_of_base,
-    line_plane,
-    look_behind,
-    note_past,
-    past_line,
-    support_gap,
-)
+from shaketable.physics.space.contacts import LEVEL, axes_at, lies_on_rim
+from shaketable.physics.space.edge import look_behind, note_past
 from shaketable.physics.space.events import find_event
 from shaketable.physics.space.guards import (
     FALL,
@@ -43,58 +24,33 @@ from shaketable.physics.space.guards import (
     lean,
     lean_rate,
     least_guard,
-    peak_between,
 )
-from shaketable.physics.space.impact import collide, kinetic_energy, lose_spin
-from shaketable.physics.space.in_plane import keep_in_plane, note_slips_in_plane
-from shaketable.physics.space.modes import end_slow_slips, lay_ring
+from shaketable.physics.space.landing import (
+    bears,
+    collect_contacts,
+    gather_closed,
+    gather_what_meets,
+    land,
+)
+from shaketable.physics.space.modes import end_slow_slips
+from shaketable.physics.space.noting import accept, copy, is_finite, look_at
 from shaketable.physics.space.rates import rates
-from shaketable.physics.space.rest import NEVER, rest_margin, rest_until, rests_throughout
-from shaketable.physics.space.rest_beside import rest_beside_until
-from shaketable.physics.space.settling import (
-    FELL,
-    GOES_ON,
-    LANDED,
-    all_but_flat,
-    creep,
-    gather_leaning,
-    gather_settling_at_edge,
-    lay_flat,
-)
+from shaketable.physics.space.rest import comes_to_rest, is_at_rest, rest_ends
+from shaketable.physics.space.settling import FELL, GOES_ON, LANDED, creep
 from shaketable.physics.space.step import Pull, pull_at, take_step
-from shaketable.physics.space.straps import hold_on, note_forces, pull_or_not, with_straps
-from shaketable.physics.space.touches import (
-    add_near,
-    begin_list,
-    closed_on_support,
-    gather_touches,
-    is_at_edge,
-    is_closed,
-    note_slips,
-    plane_of,
-    point_of,
-    slip_velocity,
-    slips_at,
-    touch_velocity,
-    touches_more,
-)
+from shaketable.physics.space.straps import pull_or_not
+from shaketable.physics.space.touches import slip_velocity, slips_at
 from shaketable.physics.space.vectors import dot
-from shaketable.physics.space.walls import push_out
 from shaketable.physics.space.workspace import (
     CORNER,
     FLAT,
     FLIGHT,
     SLIPS,
-    STATE,
     STICKS,
     WALLED,
     Floats,
-    P,
-    Q,
     SolidParameters,
-    W,
     Workspace,
-    vec,
 )
 
 LEAST_PART = 1e-12  # of an interval: shorter steps are taken whatever their error
@@ -106,297 +62,10 @@ TOLERANCE_RELAXATION, MOST_PAST = 10.0, 1e-5
 BUDGET = 100  # events in one interval, after which the rest of it is stepped over
 STEP_BUDGET = 2_000  # likewise, steps
 #: After this many events (steps) in one run, intervals get the reduced budget.
-LONG_RUN_EVENTS, LONG_RUN_STEPS = 2_000.0, 15_000.0
+LONG_RUN_EVENTS, LONG_RUN_STEPS = 2_000, 15_000
 REDUCED_EVENTS, REDUCED_STEPS = 10, 100
-NO_MOTION = 1e-24  # m²/s²: kinetic energy, by the mass, of what does not move
 FIRST_SLIP = 0.3  # rad: greatest turn of friction's direction in the first step of a slip
 RIM_SHARE = 0.3  # greatest relative change of a rolling circle's nutation in a step
-
-
-@kernel
-def copy(source, target) -> None:  # type: ignore[no-untyped-def]
-    for j in range(STATE):
-        target[j] = source[j]
-
-
-@kernel
-def is_finite(y) -> bool:  # type: ignore[no-untyped-def]
-    total = 0.0
-    for j in range(STATE):
-        total += y[j]
-    return math.isfinite(total)
-
-
-@kernel
-def twist(y) -> float:  # type: ignore[no-untyped-def]
-    """Turn about the support's normal (swing and twist), in (-π, π]."""
-    angle = 2.0 * math.atan2(y[Q + 3], y[Q])
-    return angle - 2.0 * math.pi * math.floor((angle + math.pi) / (2.0 * math.pi))
-
-
-@routine
-def look_at(shape: SolidParameters, work: Workspace) -> None:
-    """Store reactions and slip directions at the start of a step."""
-    work.judged.press_before, work.judged.cone_before = work.judged.press, work.judged.cone
-    q, y = axes_at(work.state), work.state
-    if shape.radius > 0.0:
-        begin_rim(work)
-        find_rim(shape, work, q, vec(y, W))
-    if work.mode.grip != STICKS:
-        note_slips(shape, work, q)
-
-
-@routine
-def accept(shape: SolidParameters, work: Workspace, h: float) -> None:
-    """Accept the trial state after h [s]; update peak, lift, yaw and how far it came."""
-    tally = work.tally
-    if shape.straps > 0:
-        note_forces(shape, work, h)
-    tally.peak = max(tally.peak, peak_between(work.state, work.trial, h))
-    copy(work.trial, work.state)
-    q = axes_at(work.state)
-    if work.mode.kind == FLIGHT and not hangs_over(shape, work):
-        tally.lift = max(tally.lift, clearance(shape, work, q, work.state))
-    if has_edge(shape):
-        look_behind(shape, work)
-        if shape.radius > 0.0:
-            note_rolling_past(shape, work)
-        note_tipping(shape, work)
-    if shape.planar:
-        keep_in_plane(work.state)
-        note_slips_in_plane(shape, work)
-    x = work.state[P] - shape.h * q.x.z - tally.start_x
-    y = work.state[P + 1] - shape.h * q.y.z - tally.start_y
-    tally.farthest = max(tally.farthest, x * x + y * y)
-    change = twist(work.state) - tally.yaw
-    tally.yaw += change - 2.0 * math.pi * math.floor((change + math.pi) / (2.0 * math.pi))
-
-
-@routine
-def collect_contacts(shape: SolidParameters, work: Workspace, leaving: float) -> None:
-    """List the points that are on the support and do not leave it faster than `leaving`.
-
-    The lowest point of a rim comes last; a circle that lies flat has its ring of points instead.
-    """
-    y = work.state
-    q = axes_at(y)
-    leans = shape.radius > 0.0 and q.z.x**2 + q.z.y**2 > LEVEL * LEVEL
-    if leans:
-        find_rim(shape, work, q, vec(y, W))
-    first = shape.contacts if leans and lies_on_rim(shape) else 0
-    begin_list(work)
-    for point in range(first, shape.contacts + (1 if leans else 0)):
-        if (
-            support_gap(shape, work, q, y, point) <= shape.limits.landing
-            and velocity(shape, work, q, y, point).z <= leaving
-        ):
-            add_near(work, point)
-
-
-@routine
-def land(  # type: ignore[no-untyped-def]
-    shape: SolidParameters, work: Workspace, f, kind: int, impact_times: Floats
-) -> None:
-    """Resolve a landing, or what meets a wall (`kind` of guard), and choose the next mode."""
-    if lies_on_rim(shape) and kind == GAP:
-        q = axes_at(work.state)
-        sine = math.sqrt(q.z.x**2 + q.z.y**2)
-        if work.mode.kind == CORNER and sine > 2.0 * LEVEL:  # it has rolled past its bottom
-            begin_rim(work)
-            find_rim(shape, work, q, vec(work.state, W))
-            return
-        if sine <= 2.0 * LEVEL:
-            lay_ring(shape, work)
-            lay_flat(shape, work)
-            work.mode.kind = FLAT
-    collect_contacts(shape, work, math.inf)
-    number = int(work.tally.impacts)
-    if number < impact_times.size:
-        impact_times[number] = work.clock.begun + work.clock.passed
-    work.tally.impacts += 1.0
-    beside = touches_more(shape)
-    if beside and gather_touches(shape, work, shape.limits.landing, math.inf, 0.0) > 0:
-        work.tally.met = 1.0
-        if shape.walls > 0:
-            push_out(shape, work)
-    collide(shape, work)
-    if shape.planar:
-        lose_spin(shape, work)
-        keep_in_plane(work.state)
-    pull_or_not(shape, work)
-    if all_but_flat(shape, work, 0.0):
-        if lies_on_rim(shape):
-            lay_ring(shape, work)
-        lay_flat(shape, work)
-    elif gather_settling_at_edge(shape, work):
-        choose_together(shape, work, f)
-        return
-    elif not gather_leaning(shape, work, 0.0):
-        collect_contacts(shape, work, shape.limits.leaving)
-    choose(shape, work, f)
-
-
-@routine
-def gather_what_meets(shape: SolidParameters, work: Workspace) -> bool:
-    """List what touches after a passage of the edge; whether any of it is struck."""
-    collect_contacts(shape, work, math.inf)
-    gather_touches(shape, work, shape.limits.landing, math.inf, 0.0)
-    q, found = axes_at(work.state), False
-    for place in range(work.mode.touches):
-        u = touch_velocity(work, q, work.state, place)
-        found = found or u.z < -shape.limits.leaving
-    return found
-
-
-@routine
-def bears(shape: SolidParameters, work: Workspace) -> bool:
-    """Whether a body stands on its support, or with its base on the edge of it."""
-    if work.mode.kind != WALLED:
-        return bool(work.mode.kind != FLIGHT)
-    found = False
-    for place in range(work.mode.touches):
-        plane = plane_of(work, place)
-        on_edge = plane > shape.walls and not is_upright_side(shape, work, place)
-        found = found or (work.touches[place].carries > 0 and (plane == 0 or on_edge))
-    return found
-
-
-@kernel
-def is_upright_side(shape: SolidParameters, work: Workspace, place: int) -> bool:
-    """Whether a touch is the line of the edge at a side that is none of the base."""
-    line = plane_of(work, place) == line_plane(shape)
-    return line and not is_of_base(shape, point_of(work, place))
-
-
-@routine
-def note_rolling_past(shape: SolidParameters, work: Workspace) -> None:
-    """Note which points of a circle are past the edge; of those that touch their guards decide."""
-    q = axes_at(work.state)
-    for point in range(shape.contacts + 1):
-        if not is_closed(work, 0, point):
-            off = past_line(shape, work, q, work.state, point)
-            work.past[point] = 1 if off > PAST else 0
-
-
-@kernel
-def note_tipping(shape: SolidParameters, work: Workspace) -> None:
-    """Note how far the axis has turned toward the edge, turn by turn."""
-    q = axes_at(work.state)
-    angle = math.atan2(shape.edge_x * q.x.z + shape.edge_y * q.y.z, q.z.z)
-    change = angle - work.tally.tips
-    work.tally.tips += change - 2.0 * math.pi * math.floor((change + math.pi) / (2.0 * math.pi))
-
-
-@routine
-def respond(  # type: ignore[no-untyped-def]
-    shape: SolidParameters, work: Workspace, f, kind: int, impact_times: Floats
-) -> bool:
-    """Choose the contact mode after an event; return True if none is admissible."""
-    before, was = work.judged.past, signature(work)
-    work.judged.past = FORCE_PAST
-    if kind in (GAP, WALL):
-        land(shape, work, f, kind, impact_times)
-        return False
-    if kind == PASS:
-        work.tally.met = 1.0
-        note_past(shape, work, False)
-        look_behind(shape, work)  # sides that can be met now
-    if kind == PASS and gather_what_meets(shape, work):
-        land(shape, work, f, WALL, impact_times)
-        return False
-    pull_or_not(shape, work)
-    if kind == SLIP and work.mode.kind != FLAT:
-        end_slow_slips(shape, work)
-    if kind == PASS:
-        collect_contacts(shape, work, shape.limits.leaving)
-    else:
-        gather_closed(shape, work)
-    choose(shape, work, f)
-    if kind == FORCE and was == signature(work):
-        if before >= MOST_PAST:
-            return True
-        work.judged.past = (
-            before * TOLERANCE_RELAXATION
-        )  # no other mode is admissible: this one goes on
-        if work.mode.kind == FLAT and work.mode.grip != STICKS:
-            rates(shape, work, work.state, f, True, work.stages[0])
-            return pulls(work)
-    return False
-
-
-@kernel
-def is_at_rest(shape: SolidParameters, work: Workspace) -> bool:
-    """Whether a body lies flat and sticks, or is held beside a wall."""
-    flat = work.mode.kind == FLAT and not on_rim(work)
-    sticks = work.mode.grip == STICKS
-    return sticks and (flat or work.mode.kind == WALLED)
-
-
-@routine
-def rest_ends(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> float:
-    """The u in the interval at which a body leaves its rest, or may, or NEVER."""
-    plain = shape.straps == 0 and work.mode.kind == FLAT
-    if plain and u == 0.0 and rests_throughout(shape, pull):
-        return NEVER
-    if shape.straps > 0:
-        hold_on(shape, work)
-    if work.mode.kind == WALLED:
-        holds = judge_support(shape, work, pull, u)
-        if holds:  # without its walls; what touches a lip stays as it is
-            return NEVER if is_at_edge(shape, work) else u
-        return rest_beside_until(shape, work, pull, u)
-    held = pull
-    if shape.straps > 0:  # it does not move: the straps' force stays as it is
-        held = Pull(with_straps(shape, work, pull.start), pull.change, pull.length)
-    return rest_until(shape, work, held, u)
-
-
-@kernel
-def comes_to_rest(shape: SolidParameters, work: Workspace) -> bool:
-    """Whether nothing moves any more beside a wall, though its mode is not that of rest."""
-    moves = work.mode.kind == WALLED and work.mode.grip != STICKS
-    return moves and kinetic_energy(shape, work.state) < NO_MOTION
-
-
-@routine
-def judge_support(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> bool:
-    """Judge whether the support alone holds a flat body through what is left of an interval.
-
-    Rests end where sliding begins, so that a margin of none is none.
-    """
-    if closed_on_support(work) < shape.contacts or on_rim(work):
-        return False
-    start = with_straps(shape, work, pull_at(pull, u))
-    end = with_straps(shape, work, pull_at(pull, 1.0))
-    return min(rest_margin(shape, work, start), rest_margin(shape, work, end)) > 0.0
-
-
-@kernel
-def signature(work: Workspace) -> int:
-    """A number that tells the mode: which touches are closed, and which of them slip."""
-    number = 3 * work.mode.kind + work.mode.grip
-    for k in range(work.mode.closed):
-        place = work.closed[k]
-        touch = work.touches[place]
-        each = 2 * (64 * touch.plane + touch.point) + slips_at(work, place)
-        number = 31 * number + each + 1
-    return number
-
-
-@routine
-def gather_closed(shape: SolidParameters, work: Workspace) -> None:
-    """List the closed points on the support alone; beside a wall some may have left it."""
-    q, beside = axes_at(work.state), work.mode.kind == WALLED
-    if beside and on_rim(work):
-        find_rim(shape, work, q, vec(work.state, W))
-    n = work.mode.touches if beside else work.mode.closed
-    begin_list(work)
-    for k in range(n):
-        touch = work.touches[k if beside else work.closed[k]]
-        plane, point = touch.plane, touch.point
-        near = not beside or support_gap(shape, work, q, work.state, point) <= shape.limits.landing
-        if plane == 0 and near:
-            add_near(work, point)
 
 
 @routine
@@ -429,7 +98,7 @@ def cross_interval(
             work.judged.past = FORCE_PAST
             choose(shape, work, pull_at(pull, u))
             fresh, part = True, 1.0 - u
-            work.tally.events += 1.0
+            work.tally.events += 1
             events += 1
             if u >= 1.0:
                 break
@@ -448,7 +117,7 @@ def cross_interval(
         fresh = False
         du = max(du, LEAST_PART)
         error = take_step(shape, work, pull, u, du)
-        work.tally.steps += 1.0
+        work.tally.steps += 1
         steps += 1
         if steps > most_steps:
             return creep(shape, work, pull, u), 1.0, part
@@ -475,7 +144,7 @@ def cross_interval(
             jams = respond(shape, work, f, kind, impact_times)
             if stood and not bears(shape, work):
                 work.tally.left_at = work.clock.begun + work.clock.passed
-            work.tally.events += 1.0
+            work.tally.events += 1
             events += 1
             if jams or events > most:
                 return creep(shape, work, pull, u), 1.0, part
@@ -486,12 +155,61 @@ def cross_interval(
         u = 1.0 if 1.0 - u - du < LEAST_PART else u + du
         if wobbles_out(shape, work):
             land(shape, work, pull_at(pull, u), GAP, impact_times)
-            work.tally.events += 1.0
+            work.tally.events += 1
             fresh, part = True, max(part, 1e-3)
             continue
         copy(work.stages[6], work.stages[0])
         look_at(shape, work)
     return GOES_ON, 1.0, part
+
+
+@routine
+def respond(  # type: ignore[no-untyped-def]
+    shape: SolidParameters, work: Workspace, f, kind: int, impact_times: Floats
+) -> bool:
+    """Choose the contact mode after an event; return True if none is admissible."""
+    before, was = work.judged.past, signature(work)
+    work.judged.past = FORCE_PAST
+    if kind in (GAP, WALL):
+        land(shape, work, f, kind, impact_times)
+        return False
+    if kind == PASS:
+        work.tally.met = 1
+        note_past(shape, work, False)
+        look_behind(shape, work)  # sides that can be met now
+    if kind == PASS and gather_what_meets(shape, work):
+        land(shape, work, f, WALL, impact_times)
+        return False
+    pull_or_not(shape, work)
+    if kind == SLIP and work.mode.kind != FLAT:
+        end_slow_slips(shape, work)
+    if kind == PASS:
+        collect_contacts(shape, work, shape.limits.leaving)
+    else:
+        gather_closed(shape, work)
+    choose(shape, work, f)
+    if kind == FORCE and was == signature(work):
+        if before >= MOST_PAST:
+            return True
+        work.judged.past = (
+            before * TOLERANCE_RELAXATION
+        )  # no other mode is admissible: this one goes on
+        if work.mode.kind == FLAT and work.mode.grip != STICKS:
+            rates(shape, work, work.state, f, True, work.stages[0])
+            return pulls(work)
+    return False
+
+
+@kernel
+def signature(work: Workspace) -> int:
+    """A number that tells the mode: which touches are closed, and which of them slip."""
+    number = 3 * work.mode.kind + work.mode.grip
+    for k in range(work.mode.closed):
+        place = work.closed[k]
+        touch = work.touches[place]
+        each = 2 * (64 * touch.plane + touch.point) + slips_at(work, place)
+        number = 31 * number + each + 1
+    return number
 
 
 @kernel

@@ -15,12 +15,11 @@ import math
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.cones import limit
 from shaketable.physics.space.contacts import axes_at, flat_margin
-from shaketable.physics.space.step import Pull, pull_at
+from shaketable.physics.space.step import NEVER, Pull, pull_at
 from shaketable.physics.space.straps import pulls_any, with_straps
 from shaketable.physics.space.vectors import Vec
 from shaketable.physics.space.workspace import SolidParameters, Workspace
 
-NEVER = 2.0  # in place of the part of an interval
 HALVINGS = 60
 
 

@@ -1,114 +1,62 @@
-"""How long a body that stands flat and still stays so.
-
-It rests where the line of the force through its centre of gravity meets the support inside the
-base and inside the friction cone: all pressures with that resultant then allow friction in
-proportion. Where the points' frictions differ, `grip` says whether they hold. What holds at two
-ends of a stretch on which the force is linear holds on all of it where the region of such forces is
-convex: of one friction, or of three points, whose pressures are linear in the force. Of more points
-some may stop pressing, and a stretch is looked at in CHECKS parts.
-"""
+"""Whether a body rests, and how long within an interval."""
 
 from __future__ import annotations
 
-import math
-
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.cones import limit
-from shaketable.physics.space.contacts import axes_at, flat_margin
-from shaketable.physics.space.grip import flat_grip
-from shaketable.physics.space.step import Pull, pull_at
-from shaketable.physics.space.straps import pulls_any
-from shaketable.physics.space.touches import add_near, begin_list
-from shaketable.physics.space.vectors import Vec
-from shaketable.physics.space.workspace import WALLED, SolidParameters, Workspace
+from shaketable.physics.space.contacts import on_rim
+from shaketable.physics.space.impact import kinetic_energy
+from shaketable.physics.space.rest_beside import rest_beside_until
+from shaketable.physics.space.rest_flat import rest_margin, rest_until, rests_throughout
+from shaketable.physics.space.step import NEVER, Pull, pull_at
+from shaketable.physics.space.straps import hold_on, with_straps
+from shaketable.physics.space.touches import closed_on_support, is_at_edge
+from shaketable.physics.space.workspace import FLAT, STICKS, WALLED, SolidParameters, Workspace
 
-NEVER = 2.0  # in place of the part of an interval
-PAST = 1e-9  # m/s²: a body leaves its rest where it is past the limit by this much
-HALVINGS = 60
-NOT_HELD = 1.0  # m/s²: the margin of a rest that a strap turns, which has no size
-CHECKS = 8  # of an interval, where frictions differ and more than three points may press
-
-
-@routine
-def rest_margin(shape: SolidParameters, work: Workspace, f: Vec) -> float:
-    """How sure a body's rest is under a force [m/s²]; negative where it ends."""
-    pressure = -f.z
-    if pressure <= 0.0:
-        return pressure
-    size = math.sqrt(f.x * f.x + f.y * f.y)
-    pulled = shape.straps > 0 and pulls_any(shape, work)
-    if shape.h * size <= pressure * shape.inscribed and not pulled:
-        tips = pressure * shape.inscribed / shape.reach - shape.h * size / shape.reach
-    else:
-        q = axes_at(work.state)
-        along = shape.h * (q.x.x * f.x + q.y.x * f.y)
-        across = shape.h * (q.x.y * f.x + q.y.y * f.y)
-        if pulled:  # Σ r × λ + τ = 0 about the centre of gravity
-            along += work.torque[1]
-            across -= work.torque[0]
-        tips = flat_margin(shape, work, pressure, along, across)
-    slips = limit(shape.least_static, pressure) - size
-    if slips < 0.0 and not shape.uniform and tips >= 0.0 and judge_together(shape, work, f):
-        slips = 0.0
-    if pulled and slips >= 0.0 and tips >= 0.0 and not judge_together(shape, work, f):
-        slips = -NOT_HELD
-    return min(tips, slips)
+NO_MOTION = 1e-24  # m²/s²: kinetic energy, by the mass, of what does not move
 
 
 @kernel
-def stand_all(shape: SolidParameters, work: Workspace) -> None:
-    """List all points: they are on the support."""
-    begin_list(work)
-    for point in range(shape.contacts):
-        add_near(work, point)
-
-
-@routine
-def judge_together(shape: SolidParameters, work: Workspace, f: Vec) -> bool:
-    """Judge whether points with frictions of their own hold a body, not beside a wall.
-
-    They are listed anew.
-    """
-    if work.mode.kind == WALLED:
-        return False
-    stand_all(shape, work)
-    left = flat_grip(shape, work, axes_at(work.state), f, 1)
-    return 0.0 <= left <= shape.limits.starting
+def is_at_rest(shape: SolidParameters, work: Workspace) -> bool:
+    """Whether a body lies flat and sticks, or is held beside a wall."""
+    flat = work.mode.kind == FLAT and not on_rim(work)
+    sticks = work.mode.grip == STICKS
+    return sticks and (flat or work.mode.kind == WALLED)
 
 
 @kernel
-def rests_throughout(shape: SolidParameters, pull: Pull) -> bool:
-    """A quick test that can only say yes where it is so."""
-    ok = True
-    for u in (0.0, 1.0):
-        f = pull_at(pull, u)
-        pressure = -f.z
-        size2 = f.x * f.x + f.y * f.y
-        low = min(shape.inscribed / shape.h, shape.least_static)
-        ok = ok and pressure > 0.0 and size2 <= low * low * pressure * pressure
-    return ok
+def comes_to_rest(shape: SolidParameters, work: Workspace) -> bool:
+    """Whether nothing moves any more beside a wall, though its mode is not that of rest."""
+    moves = work.mode.kind == WALLED and work.mode.grip != STICKS
+    return moves and kinetic_energy(shape, work.state) < NO_MOTION
 
 
 @routine
-def rest_until(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> float:
-    """The u in the interval at which a resting body leaves its rest, or NEVER."""
-    if rest_margin(shape, work, pull_at(pull, u)) < -PAST:
-        return u
-    checks, low, high = 1 if shape.uniform or shape.contacts < 4 else CHECKS, u, NEVER
-    for k in range(checks):
-        at = u + (1.0 - u) * (k + 1) / checks
-        if rest_margin(shape, work, pull_at(pull, at)) < -PAST:
-            high = at
-            break
-        low = at
-    if high == NEVER:
+def rest_ends(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> float:
+    """The u in the interval at which a body leaves its rest, or may, or NEVER."""
+    plain = shape.straps == 0 and work.mode.kind == FLAT
+    if plain and u == 0.0 and rests_throughout(shape, pull):
         return NEVER
-    for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        if rest_margin(shape, work, pull_at(pull, middle)) < -PAST:
-            high = middle
-        else:
-            low = middle
-        if high - low < 1e-14:
-            break
-    return high
+    if shape.straps > 0:
+        hold_on(shape, work)
+    if work.mode.kind == WALLED:
+        holds = judge_support(shape, work, pull, u)
+        if holds:  # without its walls; what touches a lip stays as it is
+            return NEVER if is_at_edge(shape, work) else u
+        return rest_beside_until(shape, work, pull, u)
+    held = pull
+    if shape.straps > 0:  # it does not move: the straps' force stays as it is
+        held = Pull(with_straps(shape, work, pull.start), pull.change, pull.length)
+    return rest_until(shape, work, held, u)
+
+
+@routine
+def judge_support(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> bool:
+    """Judge whether the support alone holds a flat body through what is left of an interval.
+
+    Rests end where sliding begins, so that a margin of none is none.
+    """
+    if closed_on_support(work) < shape.contacts or on_rim(work):
+        return False
+    start = with_straps(shape, work, pull_at(pull, u))
+    end = with_straps(shape, work, pull_at(pull, 1.0))
+    return min(rest_margin(shape, work, start), rest_margin(shape, work, end)) > 0.0

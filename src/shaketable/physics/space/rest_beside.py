@@ -10,8 +10,7 @@ from shaketable.compiled import routine
 from shaketable.physics.space.beside import is_small, try_holding
 from shaketable.physics.space.contacts import axes_at
 from shaketable.physics.space.rates import rates
-from shaketable.physics.space.rest import NEVER
-from shaketable.physics.space.step import Pull, pull_at
+from shaketable.physics.space.step import NEVER, Pull, pull_at
 from shaketable.physics.space.tries import SLACK
 from shaketable.physics.space.vectors import Vec
 from shaketable.physics.space.workspace import SolidParameters, Workspace

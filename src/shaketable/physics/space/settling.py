@@ -42,7 +42,7 @@ from shaketable.physics.space.edge import (
 from shaketable.physics.space.impact import strike
 from shaketable.physics.space.in_plane import keep_in_plane
 from shaketable.physics.space.modes import fly
-from shaketable.physics.space.rest import stand_all
+from shaketable.physics.space.rest_flat import stand_all
 from shaketable.physics.space.step import Pull, pull_at
 from shaketable.physics.space.straps import hold_on, pull_or_not, with_straps
 from shaketable.physics.space.touches import add_near, begin_list, gather_touches, touches_more
@@ -188,7 +188,7 @@ def drift_state(y, h: float) -> None:  # type: ignore[no-untyped-def]
 @routine
 def creep(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> int:
     """Take what is left of an interval by time stepping; return how it ended."""
-    work.tally.fallbacks += 1.0
+    work.tally.fallbacks += 1
     y = work.state
     left = (1.0 - u) * pull.length
     longest = CREEP_STEP if work.tally.fallbacks < MAX_UNCONVERGED else LONG_STEP

@@ -43,6 +43,8 @@ from shaketable.physics.space.workspace import (
     vec,
 )
 
+NEVER = 2.0  # in place of the part of an interval
+
 
 class Pull(NamedTuple):
     """The body force in one interval of the motion, linear in it."""

@@ -24,6 +24,7 @@ from shaketable.physics.space.vectors import Sym, Vec
 
 Floats = NDArray[np.float64]
 Floats6 = NDArray[np.float64]  # six, as a field of a record; `Floats` are three there
+PerStrap = NDArray[np.float64]  # one for each strap, likewise
 Integers = NDArray[np.int64]
 
 # Where a state's numbers lie.
@@ -166,19 +167,30 @@ class Tally:
     peak: float  # square of the sine of the largest nutation
     lift: float  # [m]
     yaw: float  # [rad]
-    impacts: float
-    events: float
-    steps: float
-    energy_cuts: float  # impacts whose restitution was lowered, as they would have given energy
-    fallbacks: float  # problems that were not solved exactly: the nearest answer was taken
+    impacts: int
+    events: int
+    steps: int
+    energy_cuts: int  # impacts whose restitution was lowered, as they would have given energy
+    fallbacks: int  # problems that were not solved exactly: the nearest answer was taken
     start_x: float  # where the foot of the centre of gravity is as it begins [m]
     start_y: float
     farthest: float  # square of how far from there it comes [m²]
     left_at: float  # when it last touched its support or the edge of that [s]
     tips: float  # how far its axis has turned toward the edge, turn by turn [rad]
-    met: float  # 1 once it has met a wall, the edge, or what holds it
+    met: int  # 1 once it has met a wall, the edge, or what holds it
     slip_back: float  # of a body in the plane, the farthest of its corners toward -x [m]
     slip_front: float  # and toward +x
+    start_yaw: float  # as it begins [rad]
+    shaken_x: float  # displacement and yaw at the motion's end, or where it ends before [m, m, rad]
+    shaken_y: float
+    shaken_yaw: float
+    calm: int  # intervals, one after the other, in which it hardly moved
+    was_x: float  # where it was an interval ago, while it lies flat [m]
+    was_y: float
+    ending: int  # one of `found`
+    ended: float  # when [s]
+    landed: int  # 1 if it came down past the edge
+    samples: int  # of its history
 
 
 class Thresholds(NamedTuple):
@@ -342,6 +354,7 @@ def record_type(fields: type) -> np.dtype[np.void]:
         "float": (np.float64, ()),
         "Floats": (np.float64, (3,)),
         "Floats6": (np.float64, (6,)),
+        "PerStrap": (np.float64, (MOST_STRAPS,)),
     }
     return np.dtype([(name, *kinds[kind]) for name, kind in fields.__annotations__.items()])
 
