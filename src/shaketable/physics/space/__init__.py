@@ -37,9 +37,12 @@ A question writes nothing. What answers yes or no and writes begins with a verb 
 | `step`, `rates` | one step, and the rates that it needs |
 | `guards`, `events` | what ends a mode, and when within a step |
 | `impact` | velocities after a landing, or a blow on a wall |
-| `rest`, `rest_beside` | whether pressure and friction can bear it at rest |
+| `landing` | what touches when something lands, is struck or passes the edge |
+| `rest`, `rest_flat`, `rest_beside` | whether pressure and friction bear it at rest, how long |
 | `settling` | time stepping, where no mode is admissible |
-| `in_plane` | what a deep body that stands for a planar one keeps, and tells |
+| `noting` | what is noted after a step: peaks, turns, how far it came |
+| `in_plane` | what a deep body that stands for a planar one keeps |
 | `straps`, `pads`, `losses` | pulls, glue, rolling and turning |
-| `landing` | what is told of a fall over the edge |
+| `ground` | the motion as a force, seen from a tilted support |
+| `ending`, `found`, `telling` | how a run ends; the record of what is told, and who writes it |
 """
