@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -96,3 +97,14 @@ def test_the_tower_in_words_is_this_one() -> None:
     text = contributing.read_text(encoding="utf-8").partition("## The tower")[2]
     lines = [line[4:].split("  ")[0] for line in text.splitlines() if line.startswith("    ")]
     assert [set(line.split(", ")) for line in lines] == TOWER
+
+
+def test_the_files_to_which_one_adds_are_there() -> None:
+    contributing = PACKAGE.parents[1] / "CONTRIBUTING.md"
+    if not contributing.exists():
+        pytest.skip(f"the package is not in its source tree: no {contributing}")
+    named = set(re.findall(r"`(\w+/[\w/]+\.\w+)`", contributing.read_text(encoding="utf-8")))
+    named.remove("criteria/author_year.py")  # stands for any
+    assert len(named) > 20
+    root = PACKAGE.parents[1]
+    assert [n for n in sorted(named) if not ((PACKAGE / n).exists() or (root / n).exists())] == []
