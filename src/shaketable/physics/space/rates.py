@@ -1,8 +1,7 @@
 """How fast a state changes in the present mode, and how sure its contact is.
 
 What a body does most of the time has its own short way (`short_ways`, `flat_slip`), and flight
-another. All else
-goes through `constraints`.
+another; what presses against a wall or an edge has `walled`. All else goes through `constraints`.
 """
 
 from __future__ import annotations
