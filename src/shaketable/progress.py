@@ -30,6 +30,23 @@ Progress = bool | Done | Watcher
 EVERY = 60.0  # s between two lines
 
 
+class AtMost:
+    """Tells of work of which no more is done than was foreseen, and maybe less."""
+
+    def __init__(self, total: int, done: Done) -> None:
+        self._left, self._done = total, done
+
+    def __call__(self, more: int) -> None:
+        more = min(more, self._left)
+        self._left -= more
+        if more:
+            self._done(more)
+
+    def end(self) -> None:
+        """Tell that all is done."""
+        self(self._left)
+
+
 @contextmanager
 def meter(
     title: str, total: int, progress: Progress, note: Callable[[], str] = str

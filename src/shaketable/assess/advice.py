@@ -13,7 +13,7 @@ from shaketable.assess.mitigation import Premises, Shaken, kinds_for, with_mitig
 from shaketable.assess.ranking import Weights, ranked
 from shaketable.assess.results import MitigationKind
 from shaketable.language import tell
-from shaketable.progress import Progress, duration, meter
+from shaketable.progress import AtMost, Progress, duration, meter
 from shaketable.tilting import TURNS
 
 
@@ -55,10 +55,14 @@ def with_advice(
     if not any(wanted):
         return list(floors)
     pairs = max(len(space.trial.motions) for _, space in known.values())
-    total = pairs * TURNS * sum(work_of(kind, bool(kinds)) for row in wanted for kind in row)
+    work = [[work_of(kind, bool(kinds)) for kind in row] for row in wanted]
+    # every measure in half of the runs that are asked of the first one, which has the others too
+    total = pairs * TURNS // 2 * sum(sum(row) + max(row, default=0) for row in work)
     title = tell("trying what helps (about {time})", time=duration(seconds * total))
     with meter(title, total, progress) as done:
-        found = with_mitigation(asked, wanted, every, done)
+        foreseen = AtMost(total, done)
+        found = with_mitigation(asked, wanted, every, foreseen)
+        foreseen.end()
     tried = {(at[one.number], alike(one.item)): each for one, each in zip(some, found, strict=True)}
     return [
         replace(

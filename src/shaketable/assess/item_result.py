@@ -178,9 +178,9 @@ class ItemResult(ProfileResult):
     def helpful(self) -> list[Mitigation]:
         """Of those that were tried what leaves clearly less, and not clearly more falls.
 
-        They are simulated in half of the ways in which the item stands to the motions: what leaves
-        less than half is no chance of these, nor what leaves MOSTLY and an interval below what
-        there is.
+        They are simulated in a quarter of the ways in which the item stands to the motions, the
+        first of these in half: what leaves less than half is no chance of these, nor what leaves
+        MOSTLY and an interval below what there is.
         """
         now = self.before.value
 

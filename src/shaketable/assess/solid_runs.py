@@ -114,6 +114,16 @@ def halves(ways: Ways) -> list[Ways]:
     return [ways] if ways.shape[2] % 2 else [ways[:, :, ::2], ways[:, :, 1::2]]
 
 
+def in_turn(ways: Ways) -> list[Ways]:
+    """One turn for each motion, another for the next; the turns after these; and so on for all.
+
+    Each of them has every motion in all its polarities.
+    """
+    motions, _, turns = ways.shape
+    number = np.arange(motions)
+    return [ways[number, :, (number + k) % turns][:, :, None] for k in range(turns)]
+
+
 def one_of_each(ways: Ways) -> Ways:
     """One way for each motion, another for the next; the interval of a share asks for no more runs.
 
@@ -153,6 +163,11 @@ class SolidRuns(NamedTuple):
     force: NDArray[np.float64]
     broke: NDArray[np.bool_]
     off: NDArray[np.bool_]
+
+    def beside(self, others: SolidRuns) -> SolidRuns:
+        """These and others of the same object, turn by turn."""
+        both = zip(self, others, strict=True)
+        return SolidRuns(*(np.concatenate(each, axis=1) for each in both))
 
     @property
     def moved(self) -> NDArray[np.float64]:

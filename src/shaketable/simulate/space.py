@@ -25,6 +25,7 @@ from shaketable.units import degrees
 
 if TYPE_CHECKING:
     from shaketable.physics.space.found import FoundRecords
+    from shaketable.physics.space.workspace import SolidRecords, Workspaces
 
 RUNS_PER_TASK = 4  # some take a thousand times as long as others
 
@@ -56,16 +57,26 @@ def tasks_of(model: General, batches: Iterable[SolidBatch]) -> Iterator[Callable
         batches: at least one.
     """
     ordered = sorted(batches, key=lambda batch: -batch.motion.duration)
-    return (task for batch in ordered for task in _tasks(batch, model))
+    known: dict[tuple[int, Surroundings | None], tuple[SolidRecords, Workspaces]] = {}
+    for batch in ordered:  # a solid meets many motions
+        key = id(batch.solid), batch.surroundings
+        if key not in known:
+            known[key] = shapes_of(batch.solid, model, batch.surroundings)
+    return (
+        task
+        for batch in ordered
+        for task in _tasks(batch, *known[id(batch.solid), batch.surroundings])
+    )
 
 
-def _tasks(batch: SolidBatch, model: General) -> Iterator[Callable[[], Part]]:
+def _tasks(
+    batch: SolidBatch, shapes: SolidRecords, workspaces: Workspaces
+) -> Iterator[Callable[[], Part]]:
     """The runs of a batch, some in each task."""
     from shaketable.physics.space.drive import move_solid
     from shaketable.physics.space.found import make_found, make_trace
 
     around = batch.surroundings
-    shapes, workspaces = shapes_of(batch.solid, model, batch.surroundings)
     ground = ground_of(batch.motion)
     nothing = make_trace(0)
 

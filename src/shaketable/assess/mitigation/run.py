@@ -3,33 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
 from shaketable.assess.item_result import ItemResult
 from shaketable.assess.mitigation import larger_base
 from shaketable.assess.mitigation.premises import Premises
-from shaketable.assess.mitigation.trials import TRIALS, Asked, Trial
+from shaketable.assess.mitigation.trials import TRIALS, Asked
+from shaketable.assess.mitigation.tried import COSTS, Tried, try_once, try_wholly
 from shaketable.assess.plane import Plane, curves_among, with_bases
 from shaketable.assess.profiles import profiles_of
 from shaketable.assess.results import ACCEPTED_FALLS, Mitigation, MitigationKind
 from shaketable.assess.runs import Done, uncounted
-from shaketable.assess.shares import share_of
-from shaketable.assess.solid_runs import SolidRuns, halves, require_possible, run_solids
 from shaketable.assess.solids import ShakingInSpace
 from shaketable.assess.straps import SLACKS, STIFFNESSES
-from shaketable.errors import InputError
 
 MOST_TRIED = 4  # measures for each object, unless more is asked for
-#: How many times as long a simulation takes as one of an object that stands alone, about.
-COSTS = {
-    MitigationKind.STRAP: 9,
-    MitigationKind.TETHER: 15,
-    MitigationKind.LOCK: 2,
-    MitigationKind.WALL: 5,
-    MitigationKind.TILT: 5,
-}
 
 
 class Shaken(NamedTuple):
@@ -112,15 +102,39 @@ def with_mitigation(
         if kind in TRIALS
         for trial in TRIALS[kind](each)
     ]
-    found: list[list[Mitigation]] = [[] for _ in proposed]
-    for (k, _), measure in zip(trials, _tried(trials, proposed, lowest, done), strict=True):
-        found[k] += [measure] if measure else []
+    found: list[list[Tried]] = [[] for _ in proposed]
+    for (k, _), one in zip(trials, try_once(trials, proposed, lowest, done), strict=True):
+        found[k] += [one] if one else []
     for k, base in _bases(proposed, kinds, done).items():
         found[k].append(base)
-    return [
-        replace(result, mitigations=tuple(tried))
-        for result, tried in zip(results, found, strict=True)
-    ]
+    return _confirmed(results, found, done)
+
+
+def _confirmed(
+    results: Sequence[ItemResult], found: Sequence[Sequence[Tried]], done: Done
+) -> list[ItemResult]:
+    """Results with their measures, of which what comes first is simulated in half of the ways."""
+    while True:
+        told = [
+            replace(result, mitigations=tuple(each.told for each in some))
+            for result, some in zip(results, found, strict=True)
+        ]
+        first = [
+            {n for n, each in enumerate(some) if each.told is _first(one) and not each.whole}
+            for one, some in zip(told, found, strict=True)
+        ]
+        if not any(first):
+            return told
+        more = iter(try_wholly([found[k][n] for k, some in enumerate(first) for n in some], done))
+        found = [
+            [next(more) if n in some else each for n, each in enumerate(tried)]
+            for tried, some in zip(found, first, strict=True)
+        ]
+
+
+def _first(result: ItemResult) -> Mitigation | None:
+    """The measure that is recommended first."""
+    return result.helpful[0] if result.helpful else None
 
 
 def _fits(kind: MitigationKind, asked: Asked) -> bool:
@@ -145,74 +159,23 @@ def _with_proposals(
 
 def _bases(
     asked: Sequence[Asked], kinds: Sequence[Sequence[MitigationKind]], done: Done
-) -> dict[int, Mitigation]:
+) -> dict[int, Tried]:
     """The smallest base that was found to do for each object, or the largest that was tried."""
     searches = {
         k: search
         for k, (each, some) in enumerate(zip(asked, kinds, strict=True))
         if MitigationKind.BASE in some and (search := larger_base.begin(each)) is not None
     }
-    best: dict[int, Mitigation] = {}
+    best: dict[int, Tried] = {}
     for _ in range(larger_base.ROUNDS):
         trials = [(k, search.trial()) for k, search in searches.items()]
-        for (k, _), measure in zip(trials, _tried(trials, asked, None, done), strict=True):
-            if measure is None:
+        for (k, _), tried in zip(trials, try_once(trials, asked, None, done), strict=True):
+            if tried is None:
                 del searches[k]
                 continue
-            enough = measure.left.value <= ACCEPTED_FALLS
+            enough = tried.told.left.value <= ACCEPTED_FALLS
             search = searches[k]
             if enough or math.isinf(search.does):
-                best[k] = measure
+                best[k] = tried
             searches[k] = search.after(search.share, enough)
     return best
-
-
-def _tried(
-    trials: Sequence[tuple[int, Trial]],
-    asked: Sequence[Asked],
-    lowest: ShakingInSpace | None,
-    done: Done,
-) -> list[Mitigation | None]:
-    """What each trial leaves, in half of the ways; None of what cannot stand there."""
-    spaces = [lowest if trial.lowest and lowest else asked[k].space for k, trial in trials]
-    groups: dict[tuple[int, int], list[int]] = {}
-    for n, (space, (_, trial)) in enumerate(zip(spaces, trials, strict=True)):
-        if _is_possible(trial, space):
-            groups.setdefault((id(space), COSTS.get(trial.kind, 1)), []).append(n)
-    found: dict[int, Mitigation] = {}
-    for (_, cost), some in groups.items():
-        space = spaces[some[0]]
-        stood = [trials[n][1].stood for n in some]
-        ways = [halves(each.ways(space.trial.motions))[0] for each in stood]
-        runs = run_solids(stood, ways, space.trial, _times(cost, done))
-        for n, each in zip(some, runs, strict=True):
-            found[n] = _measure(trials[n][1], each, space.recordings)
-    return [found.get(n) for n in range(len(trials))]
-
-
-def _is_possible(trial: Trial, space: ShakingInSpace) -> bool:
-    """Whether what a measure makes of an object can stand where it does."""
-    try:
-        require_possible(trial.stood, space.trial.motions)
-    except InputError:
-        return False
-    return True
-
-
-def _times(cost: int, done: Done) -> Callable[[int], None]:
-    return lambda more: done(cost * more)
-
-
-def _measure(trial: Trial, runs: SolidRuns, recordings: int) -> Mitigation:
-    around, rolls = trial.stood.around, trial.stood.item.rolls
-    pulls = trial.kind in (MitigationKind.STRAP, MitigationKind.TETHER)
-    assert not pulls or (around is not None and around.straps)
-    return Mitigation(
-        kind=trial.kind,
-        about=dict(trial.about),
-        simulations=runs.fell.size,
-        fall=share_of(runs.fell, recordings),
-        held_up=share_of(runs.held_up, recordings),
-        left=share_of(runs.lost(rolls), recordings),
-        force=runs.strap_force if pulls else None,
-    )

@@ -10,6 +10,7 @@ body's frame, in which the levers stand still.
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.constraints import free_turning
@@ -51,6 +52,7 @@ AGAIN, STEADY = 32, 0.5  # after so many sweeps, to see whether changes fall to 
 DIRECTIONS = 24  # tried for the slip of a touch, before the best are refined
 REFINEMENTS = 60
 TURN = 2.0 * math.pi / DIRECTIONS
+ROUND_OFF = 4e-16  # rad
 
 
 @kernel
@@ -82,53 +84,80 @@ def slipping(own: Sym, free: Vec, goal: float, mu: float, x: float, y: float) ->
     return Vec(-mu * n * x, -mu * n * y, n)
 
 
+class Askew(NamedTuple):
+    """The slip across a direction θ, if friction opposes that direction, as a function of it.
+
+    c + c₁ cos θ + s₁ sin θ + c₂ cos 2θ + s₂ sin 2θ, times what `slipping` divides by.
+    """
+
+    c: float
+    c_1: float
+    s_1: float
+    c_2: float
+    s_2: float
+
+
 @kernel
-def askew(own: Sym, free: Vec, goal: float, mu: float, angle: float) -> tuple[float, float]:
-    """Across and along a direction: the slip that follows if friction opposes that direction."""
-    x, y = math.cos(angle), math.sin(angle)
-    reaction = slipping(own, free, goal, mu, x, y)
-    if reaction.z < 0.0:
-        return 1.0, -1.0
-    u = add(free, applied(own, reaction))
-    return x * u.y - y * u.x, x * u.x + y * u.y
+def askew(own: Sym, free: Vec, goal: float, mu: float) -> Askew:
+    push, half = goal - free.z, 0.5 * mu
+    return Askew(
+        -half * (own.xz * free.y - own.yz * free.x),
+        own.zz * free.y + push * own.yz,
+        -own.zz * free.x - push * own.xz,
+        -half * (own.xz * free.y + own.yz * free.x) - mu * push * own.xy,
+        -half * (own.yz * free.y - own.xz * free.x) - half * push * (own.yy - own.xx),
+    )
+
+
+@kernel
+def across(a: Askew, x: float, y: float) -> float:
+    """Across a direction (x, y)."""
+    return a.c + a.c_1 * x + a.s_1 * y + a.c_2 * (x * x - y * y) + 2.0 * a.s_2 * x * y
 
 
 @routine
 def slip_angle(own: Sym, free: Vec, goal: float, mu: float, guess: float) -> tuple[float, bool]:
     """The direction along which a point slips against its own friction, nearest to a guess."""
+    a = askew(own, free, goal, mu)
     for k in range(DIRECTIONS // 2 + 1):
         for sign in (1.0, -1.0):
             low, high = guess + sign * (k - 0.5) * TURN, guess + sign * (k + 0.5) * TURN
-            at_low = askew(own, free, goal, mu, low)[0]
-            at_high = askew(own, free, goal, mu, high)[0]
+            at_low = across(a, math.cos(low), math.sin(low))
+            at_high = across(a, math.cos(high), math.sin(high))
             if at_low * at_high > 0.0:
                 continue
-            kept = 0
-            for _ in range(REFINEMENTS):  # regula falsi (Illinois)
-                middle = (
-                    high - at_high * (high - low) / (at_high - at_low)
-                    if (at_high != at_low)
-                    else 0.5 * (low + high)
-                )
-                here = askew(own, free, goal, mu, middle)[0]
-                if here == 0.0 or abs(high - low) < 1e-15:
-                    low = high = middle
-                    break
-                if here * at_low > 0.0:
-                    low, at_low = middle, here
-                    if kept == 1:
-                        at_high *= 0.5
-                    kept = 1
-                else:
-                    high, at_high = middle, here
-                    if kept == -1:
-                        at_low *= 0.5
-                    kept = -1
-            angle = high if abs(at_high) < abs(at_low) else low
-            across, along = askew(own, free, goal, mu, angle)
-            if along >= 0.0 and abs(across) <= 1e-6 * (abs(along) + abs(free.x) + abs(free.y)):
-                return angle, True
+            angle = refined(a, low, high, at_low)
+            x, y = math.cos(angle), math.sin(angle)
+            reaction = slipping(own, free, goal, mu, x, y)
+            if reaction.z >= 0.0:
+                u = add(free, applied(own, reaction))
+                if x * u.x + y * u.y >= 0.0:
+                    return angle, True
     return guess, False
+
+
+@kernel
+def refined(a: Askew, low: float, high: float, at_low: float) -> float:
+    """Where the slip across a direction is none, between two of unlike sign, to round-off.
+
+    Newton's steps, or halving where one would leave the bracket.
+    """
+    angle = 0.5 * (low + high)
+    for _ in range(REFINEMENTS):
+        x, y = math.cos(angle), math.sin(angle)
+        here = across(a, x, y)
+        slope = a.s_1 * x - a.c_1 * y + 2.0 * a.s_2 * (x * x - y * y) - 4.0 * a.c_2 * x * y
+        if here * at_low > 0.0:
+            low = angle
+        else:
+            high = angle
+        step = -here / slope if slope != 0.0 else math.inf
+        after = angle + step
+        if abs(step) <= ROUND_OFF or here == 0.0:
+            break
+        inside = min(low, high) < after < max(low, high)
+        angle = after if inside else 0.5 * (low + high)
+    return angle
 
 
 @routine

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.contacts import on_rim
+from shaketable.physics.space.ground import GroundAcceleration, RunSetup, Tilted, force_at
 from shaketable.physics.space.impact import kinetic_energy
 from shaketable.physics.space.rest_beside import rest_beside_until
-from shaketable.physics.space.rest_flat import rest_margin, rest_until, rests_throughout
+from shaketable.physics.space.rest_flat import rest_margin, rest_until, rests_surely
 from shaketable.physics.space.step import NEVER, Pull, pull_at
-from shaketable.physics.space.straps import hold_on, with_straps
+from shaketable.physics.space.straps import hold_on, pulls_any, with_straps
 from shaketable.physics.space.touches import closed_on_support, is_at_edge
 from shaketable.physics.space.workspace import FLAT, STICKS, WALLED, SolidParameters, Workspace
 
@@ -23,6 +24,30 @@ def is_at_rest(shape: SolidParameters, work: Workspace) -> bool:
     return sticks and (flat or work.mode.kind == WALLED)
 
 
+@routine
+def last_of_rest(
+    shape: SolidParameters,
+    work: Workspace,
+    ground: GroundAcceleration,
+    stand: RunSetup,
+    frame: Tilted,
+    i: int,
+) -> int:
+    """The last sample, from the ith on, up to which a body that stands flat surely rests."""
+    last = ground.acceleration.shape[0] - 1
+    flat = work.mode.kind == FLAT and work.mode.grip == STICKS and not on_rim(work)
+    if not flat or i >= last:
+        return i
+    if shape.straps > 0:
+        hold_on(shape, work)
+        if pulls_any(shape, work):
+            return i
+    if rests_surely(shape, force_at(ground, i, stand, frame)):
+        while i < last and rests_surely(shape, force_at(ground, i + 1, stand, frame)):
+            i += 1
+    return i
+
+
 @kernel
 def comes_to_rest(shape: SolidParameters, work: Workspace) -> bool:
     """Whether nothing moves any more beside a wall, though its mode is not that of rest."""
@@ -33,9 +58,6 @@ def comes_to_rest(shape: SolidParameters, work: Workspace) -> bool:
 @routine
 def rest_ends(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> float:
     """The u in the interval at which a body leaves its rest, or may, or NEVER."""
-    plain = shape.straps == 0 and work.mode.kind == FLAT
-    if plain and u == 0.0 and rests_throughout(shape, pull):
-        return NEVER
     if shape.straps > 0:
         hold_on(shape, work)
     if work.mode.kind == WALLED:

@@ -23,6 +23,7 @@ from shaketable.physics.space.interval import cross_interval
 from shaketable.physics.space.landing import land
 from shaketable.physics.space.noting import copy
 from shaketable.physics.space.pads import glued_until
+from shaketable.physics.space.rest import last_of_rest
 from shaketable.physics.space.settling import GOES_ON, LANDED
 from shaketable.physics.space.step import NEVER, Pull, pull_at
 from shaketable.physics.space.straps import attach
@@ -65,6 +66,7 @@ def begin(shape: SolidParameters, work: Workspace, f: Vec, impact_times: Floats)
     tally.shaken_x = tally.shaken_y = tally.shaken_yaw = tally.ended = 0.0
     tally.calm = tally.landed = tally.samples = 0
     tally.ending, tally.was_x, tally.was_y = NOT_YET, math.nan, math.nan
+    tally.looked_at, tally.lively, tally.was_lively = 0.0, 0.0, math.inf
     tally.met = 1 if shape.glue > 0.0 else 0
     tally.yaw = tally.start_yaw = twist(work.state)
     tally.peak = peak_between(work.state, work.state, 0.0)
@@ -123,7 +125,15 @@ def run(
     end = (samples - 1) * ground.time_step
     free_h = max(ground.time_step, FREE_STEP)
     last = samples - 1 + math.ceil(FREE_LIMIT / free_h)
-    for i in range(last):
+    i = -1
+    while i + 1 < last:
+        i += 1
+        rests = last_of_rest(shape, work, ground, stand, frame, i)
+        if rests > i:
+            first, before = 1.0, force_at(ground, rests, stand, frame)
+        while i < rests:
+            record(shape, trace, sample, work)
+            sample, i = sample + 1, i + 1
         record(shape, trace, sample, work)
         sample += 1
         free = i >= samples - 1

@@ -187,6 +187,9 @@ class Tally:
     calm: int  # intervals, one after the other, in which it hardly moved
     was_x: float  # where it was an interval ago, while it lies flat [m]
     was_y: float
+    lively: float  # the most kinetic energy of the present second, by the mass [m²/s²]
+    was_lively: float  # and of the one before
+    looked_at: float  # when the present second began, since the motion ended [s]
     ending: int  # one of `found`
     ended: float  # when [s]
     landed: int  # 1 if it came down past the edge

@@ -161,12 +161,13 @@ def _in_space(assessment: Assessment) -> list[str]:
     if any(each.mitigations for each in assessment.results):
         said.append(
             tell(
-                "Measures are simulated in the same way, in half of the ways. A plane proposes a "
-                "base; up to four sizes are tried in three dimensions, and the smallest is told of "
-                "which at most {accepted:g} of 100 shakings overturn the object, or the largest. "
-                "A strap goes from the middle of the top of an object at "
-                "its back straight to a wall, or to a point 50 mm behind it where there is none; "
-                "it does not break, and is damped by 1 to 2 % of critical. Its force is the "
+                "Measures are simulated in the same way, in a quarter of the ways, the one that "
+                "comes first in half of them. A plane proposes a base; up to four sizes are tried"
+                " in three dimensions, and the smallest is told of which at most {accepted:g} of "
+                "100 shakings overturn the object, or the largest. A strap goes from the middle "
+                "of the top of an object at its back straight to a wall, or to a point 50 mm "
+                "behind it where there is none; it does not break, and is damped by 1 to 2 % of "
+                "critical. Its force is the "
                 "largest of each shaking. The sizes of measures are assumed, not measured.",
                 accepted=100 * ACCEPTED_FALLS,
             )
