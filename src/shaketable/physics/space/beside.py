@@ -352,9 +352,6 @@ def begin_beside(shape: SolidParameters, work: Workspace, f: Vec, still: bool) -
         still: whether the reactions that were found hold it, if the rows alone do not.
     """
     tip_on_rim(shape, work)
-    if still:
-        for place in range(work.mode.touches):
-            work.touches[place].moves = 0
     write_mode(shape, work, axes_at(work.state))
     close_carrying(shape, work)
     work.mode.kind, work.mode.grip = WALLED, SLIPS
