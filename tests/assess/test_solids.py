@@ -13,7 +13,7 @@ from shaketable import Body, General, InputError, Motion, Rocking, simulate
 from shaketable.assess import Assessment, CastorFriction, assess
 from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.shares import share_of
-from shaketable.assess.solid_runs import Stood, halves, one_of_each, run_solids
+from shaketable.assess.solid_runs import Stood, halves, in_turn, one_of_each, run_solids
 from shaketable.assess.solids import ShakingInSpace, sides_of
 from shaketable.building import Building
 from shaketable.campaign.as_json import from_json, to_json
@@ -90,6 +90,16 @@ def test_half_a_turn_is_the_reversed_motion(pairs: list[Motion]) -> None:
     ahead = simulate(box.solid, motion, orientation=math.pi)
     turned = simulate(box.solid, motion.reversed())
     assert ahead.peak_rotation == pytest.approx(turned.peak_rotation, rel=1e-6)
+
+
+def test_ways_in_turn_are_all_ways(pairs: list[Motion]) -> None:
+    """Each has all motions and polarities in one turn, which is another one for the next."""
+    ways = Stood(ITEMS[2], solid_of(ITEMS[2], 0.0), 0.0).ways(pairs)  # type: ignore[arg-type]
+    parts = in_turn(ways)
+    assert len(parts) == ways.shape[2] == TURNS
+    assert all(each.shape == (*ways.shape[:2], 1) for each in parts)
+    np.testing.assert_array_equal(np.sort(np.concatenate(parts, axis=2)), np.sort(ways))
+    assert len(np.unique(parts[0][:TURNS])) == TURNS
 
 
 def test_two_halves_are_all_ways(pairs: list[Motion]) -> None:

@@ -157,6 +157,11 @@ def _with_proposals(
     return result
 
 
+def _does(base: Tried) -> bool:
+    """Whether few enough fall on a base."""
+    return base.told.left.value <= ACCEPTED_FALLS
+
+
 def _bases(
     asked: Sequence[Asked], kinds: Sequence[Sequence[MitigationKind]], done: Done
 ) -> dict[int, Tried]:
@@ -169,12 +174,15 @@ def _bases(
     best: dict[int, Tried] = {}
     for _ in range(larger_base.ROUNDS):
         trials = [(k, search.trial()) for k, search in searches.items()]
-        for (k, _), tried in zip(trials, try_once(trials, asked, None, done), strict=True):
-            if tried is None:
+        once = try_once(trials, asked, None, done)
+        seem = [one for one in once if one and _does(one)]
+        wholly = iter(try_wholly(seem, done))  # so that what is told to do does
+        for (k, _), one in zip(trials, once, strict=True):
+            if one is None:
                 del searches[k]
                 continue
-            enough = tried.told.left.value <= ACCEPTED_FALLS
-            search = searches[k]
+            tried = next(wholly) if _does(one) else one
+            search, enough = searches[k], _does(tried)
             if enough or math.isinf(search.does):
                 best[k] = tried
             searches[k] = search.after(search.share, enough)

@@ -10,6 +10,7 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.choice import BACKWARD_SLIP_TOLERANCE
+from shaketable.physics.space.cones import limit
 from shaketable.physics.space.rates import rates
 from shaketable.physics.space.touches import (
     note_moving,
@@ -68,7 +69,7 @@ def try_letting_slip(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -
             share = touch.share
             pull = math.sqrt(share[0] * share[0] + share[1] * share[1])
             # of those alike, which need as much, none slips alone
-            most = (1.0 - AT_EDGE) * touch.static * share[2]
+            most = (1.0 - AT_EDGE) * limit(touch.static, share[2])
             if touch.carries > 0 and touch.moves == 0 and pull > most:
                 begin_slip(shape, work, q, place)
             touch.carries = PRESSES
@@ -150,7 +151,8 @@ def set_by_plane(shape: SolidParameters, work: Workspace, q: Axes, way: int) -> 
     dy = work.stages[0]
     for place in range(work.mode.touches):
         touch = work.touches[place]
-        if does_in(work, place, way) == SLIDES and touch.moves == 0:
+        may = touch.moves == 0 and touch.static < math.inf
+        if may and does_in(work, place, way) == SLIDES:
             a = touch_acceleration(work, q, work.state, vec(dy, V), vec(dy, W), place)
             size = math.sqrt(a.x * a.x + a.y * a.y)
             touch.moves = 1
@@ -263,7 +265,8 @@ def let_slip(shape: SolidParameters, work: Workspace, q: Axes) -> None:
         a = touch_acceleration(work, q, y, vec(dy, V), vec(dy, W), place)
         along = math.sqrt(a.x * a.x + a.y * a.y)
         pull = math.sqrt(share[0] * share[0] + share[1] * share[1])
-        inside = pull < (1.0 - AT_EDGE) * min(touch.static, touch.kinetic) * share[2]
+        mu = min(touch.static, touch.kinetic)
+        inside = pull < (1.0 - AT_EDGE) * limit(mu, share[2])
         if touch.moves > 0 or along <= STARTS or inside or touch.static == math.inf:
             continue
         begin_slip(shape, work, q, place)
