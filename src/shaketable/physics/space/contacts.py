@@ -204,6 +204,17 @@ def flat_margin(
     return least
 
 
+@routine
+def standing_margin(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> float:
+    """As `flat_margin`, of what holds a body that stands flat at rest, under f and its straps."""
+    along = shape.h * (q.x.x * f.x + q.y.x * f.y)
+    across = shape.h * (q.x.y * f.x + q.y.y * f.y)
+    if shape.straps > 0:  # Σ r × λ + τ = 0 about the centre of gravity
+        along += work.torque[1]
+        across -= work.torque[0]
+    return flat_margin(shape, work, -f.z, along, across)
+
+
 @kernel
 def twist(y) -> float:  # type: ignore[no-untyped-def]
     """Turn about the support's normal (swing and twist), in (-π, π]."""

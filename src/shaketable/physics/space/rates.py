@@ -18,6 +18,7 @@ from shaketable.physics.space.contacts import (
     find_rim,
     flat_margin,
     on_rim,
+    standing_margin,
 )
 from shaketable.physics.space.flat_slip import (
     is_upright,
@@ -88,6 +89,15 @@ def slip_flat(
 
 
 @routine
+def stand(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec, dy: Floats) -> None:
+    """As `rates`, of a base that stands flat on all its points and sticks; no shares are found."""
+    write_rates(dy, y, ZERO, ZERO)
+    work.judged.press = standing_margin(shape, work, q, f)
+    size = math.sqrt(f.x * f.x + f.y * f.y)
+    work.judged.cone = limit(shape.least_static, -f.z) - size
+
+
+@routine
 def rates(
     shape: SolidParameters, work: Workspace, y: Floats, f: Vec, judge: bool, dy: Floats
 ) -> None:
@@ -106,8 +116,11 @@ def rates(
         write_rates(dy, y, linear, turn)
         return
     rolls = on_rim(work)
-    upright = rank == FLAT and hold == SLIPS and not rolls and is_upright(y)
-    if upright and slip_flat(shape, work, q, y, f, judge, dy):
+    upright = rank == FLAT and not rolls and is_upright(y)
+    if upright and hold == STICKS and work.mode.closed == shape.contacts:
+        stand(shape, work, q, y, f, dy)
+        return
+    if upright and hold == SLIPS and slip_flat(shape, work, q, y, f, judge, dy):
         return
     if rolls:
         find_rim(shape, work, q, vec(y, W))

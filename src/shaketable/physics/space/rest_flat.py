@@ -14,7 +14,7 @@ import math
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.cones import limit
-from shaketable.physics.space.contacts import axes_at, flat_margin
+from shaketable.physics.space.contacts import axes_at, standing_margin
 from shaketable.physics.space.grip import flat_grip
 from shaketable.physics.space.step import NEVER, Pull, pull_at
 from shaketable.physics.space.straps import pulls_any
@@ -39,13 +39,7 @@ def rest_margin(shape: SolidParameters, work: Workspace, f: Vec) -> float:
     if shape.h * size <= pressure * shape.inscribed and not pulled:
         tips = pressure * shape.inscribed / shape.reach - shape.h * size / shape.reach
     else:
-        q = axes_at(work.state)
-        along = shape.h * (q.x.x * f.x + q.y.x * f.y)
-        across = shape.h * (q.x.y * f.x + q.y.y * f.y)
-        if pulled:  # Σ r × λ + τ = 0 about the centre of gravity
-            along += work.torque[1]
-            across -= work.torque[0]
-        tips = flat_margin(shape, work, pressure, along, across)
+        tips = standing_margin(shape, work, axes_at(work.state), f)
     slips = limit(shape.least_static, pressure) - size
     if slips < 0.0 and not shape.uniform and tips >= 0.0 and judge_together(shape, work, f):
         slips = 0.0
