@@ -22,9 +22,10 @@ class Ending(IntEnum):
 #: What to tell the user about the others, after "the body" or "3 of 100 simulations".
 SENTENCES = {
     Ending.STILL_ROCKING: "still rocked or flew an hour, or a million steps or impacts, after the "
-    "motion's end (among walls, straps and edges ten seconds without the energy to overturn, ten "
-    "minutes, or 100,000 steps) and counts as standing: balanced on an edge, thrown up, swinging "
-    "in a strap, or losing hardly any energy at an impact",
+    "motion's end (among walls, straps and edges ten seconds in straps or without the energy to "
+    "overturn, three with both where it swings on, ten minutes, or 100,000 steps) and counts as "
+    "standing: balanced on an edge, thrown up, swinging in a strap, or losing hardly any energy at "
+    "an impact",
     Ending.STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it, or an "
     "hour or a million steps later: there is no kinetic friction, or too little for the tilt; slip "
     "counts until then. Give more kinetic friction or less tilt to see it stop",

@@ -15,6 +15,7 @@ from shaketable.physics.space.ending import (
     cannot_fall,
     effort,
     ending_after,
+    is_before_tipping,
 )
 from shaketable.physics.space.found import NOT_YET, OVERTURNED, STANDING, STILL_MOVING, SolidTrace
 from shaketable.physics.space.ground import GroundAcceleration, RunSetup, force_at, seen, tilted
@@ -64,7 +65,7 @@ def begin(shape: SolidParameters, work: Workspace, f: Vec, impact_times: Floats)
     tally.lift = tally.farthest = tally.left_at = tally.tips = 0.0
     tally.slip_back = tally.slip_front = 0.0
     tally.shaken_x = tally.shaken_y = tally.shaken_yaw = tally.ended = 0.0
-    tally.calm = tally.landed = tally.samples = 0
+    tally.calm = tally.swings = tally.landed = tally.samples = 0
     tally.ending, tally.was_x, tally.was_y = NOT_YET, math.nan, math.nan
     tally.looked_at, tally.lively, tally.was_lively = 0.0, 0.0, math.inf
     tally.met = 1 if shape.glue > 0.0 else 0
@@ -209,8 +210,11 @@ def try_released(
     if ending == OVERTURNED or not (turned > TURNED or ending == STILL_MOVING):
         return False
     gravity = seen(tilted(stand), Vec(0.0, 0.0, -STANDARD_GRAVITY))
-    before_tipping = turned + stand.tilt < math.atan2(alone.inscribed, alone.h)
-    if before_tipping and not has_edge(alone) and cannot_fall(alone, work, gravity):
+    if (
+        is_before_tipping(alone, work, gravity)
+        and not has_edge(alone)
+        and cannot_fall(alone, work, gravity)
+    ):
         return False
     run(alone, work, still, stand, trace)
     return bool(work.tally.ending == OVERTURNED or has_left(alone, work))

@@ -189,6 +189,7 @@ class Tally:
     was_y: float
     lively: float  # the most kinetic energy of the present second, by the mass [m²/s²]
     was_lively: float  # and of the one before
+    swings: int  # seconds, one after the other, in which it hardly lost any
     looked_at: float  # when the present second began, since the motion ended [s]
     ending: int  # one of `found`
     ended: float  # when [s]

@@ -300,8 +300,9 @@ def how_sure(assessment: Assessment) -> list[str]:
         said.append(
             tell(
                 "In {moving:,} of all {total:,} simulations the object still wobbled or rolled ten "
-                "seconds after the motion: it had neither fallen nor come to rest, and its card "
-                "says how often that was.",
+                "seconds after the motion, or swung on in straps three seconds after it, without "
+                "the energy to fall: it had neither fallen nor come to rest, and its card says how "
+                "often that was.",
                 moving=moving,
                 total=total,
             )
