@@ -9,7 +9,7 @@ from types import SimpleNamespace
 import pytest
 
 from shaketable import progress
-from shaketable.progress import duration, meter, rate
+from shaketable.progress import AtMost, duration, meter, rate
 
 
 def test_in_a_log_it_is_a_line_each_minute(
@@ -95,3 +95,16 @@ def test_a_watcher_is_told_how_much_there_is() -> None:
     with meter("all", 10, Watch()) as done, meter("a part", 4, done) as part:
         part(4)
     assert told == [("expect", 10), ("done", 4)]
+
+
+def test_no_more_is_told_than_was_foreseen_and_all_of_it_in_the_end() -> None:
+    told: list[int] = []
+    short, long = AtMost(10, told.append), AtMost(7, told.append)
+    for more in (3, 4):
+        short(more)
+    short.end()
+    assert told == [3, 4, 3]
+    for more in (5, 6, 2):
+        long(more)
+    long.end()
+    assert told[3:] == [5, 2]

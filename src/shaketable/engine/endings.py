@@ -22,8 +22,9 @@ class Ending(IntEnum):
 #: What to tell the user about the others, after "the body" or "3 of 100 simulations".
 SENTENCES = {
     Ending.STILL_ROCKING: "still rocked or flew an hour, or a million steps or impacts, after the "
-    "motion's end (among walls, straps and edges ten seconds in straps or without the energy to "
-    "overturn, three with both where it swings on, ten minutes, or 100,000 steps) and counts as "
+    "motion's end (among walls, straps and edges ten seconds if straps hold it or its energy is "
+    "too little to overturn, three if both is so and it hardly loses any, ten minutes, or 100,000 "
+    "steps) and counts as "
     "standing: balanced on an edge, thrown up, swinging in a strap, or losing hardly any energy at "
     "an impact",
     Ending.STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it, or an "

@@ -107,7 +107,7 @@ def many(asked: ManyInSpace) -> SharesInSpace:
     alone = thing.tilt_deg == 0.0 and thing.beside is None
     # of what stands alone it is the solid of an assessment, to the digit
     own, facing = (_as_listed(thing), 0.0) if alone else (solid, radians(thing.facing_deg))
-    # what is held takes several times as long: in half of the ways, as measures of an assessment
+    # what is held takes several times as long: in half of the ways, as the first measure of an item
     turns = turns_of(own, alone)[:: 2 if thing.beside else 1]
     scales = scales_of(asked.scale, asked.curve, thing.beside, in_space=True)
     each = [

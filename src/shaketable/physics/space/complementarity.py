@@ -52,7 +52,7 @@ AGAIN, STEADY = 32, 0.5  # after so many sweeps, to see whether changes fall to 
 DIRECTIONS = 24  # tried for the slip of a touch, before the best are refined
 REFINEMENTS = 60
 TURN = 2.0 * math.pi / DIRECTIONS
-ROUND_OFF = 4e-16  # rad
+ROUND_OFF = 2e-15  # rad: two numbers near a whole turn are 9e-16 apart
 
 
 @kernel

@@ -29,11 +29,11 @@ from shaketable.units import STANDARD_GRAVITY
 
 #: What to tell the user of the irregular endings, after "the solid" or "3 of 100 simulations".
 SENTENCES = {
-    STILL_MOVING: "still moved when given up: ten seconds after the motion's end, in straps or "
-    "without the energy to overturn, three with both where it swings on, or ten minutes or 100,000 "
-    "steps (20,000 of sliding) after it, or after 200,000 steps and ten for each sample in all; it "
-    "counts as standing, and its displacement and turn are those until then. Rolling, contour or "
-    "drilling friction would bring it to rest",
+    STILL_MOVING: "still moved when given up: ten seconds after the motion's end if straps hold "
+    "it or its energy is too little to overturn (three if both is so and it hardly loses any), or "
+    "ten minutes or 100,000 steps (20,000 of sliding) after it, or after 200,000 steps and ten for "
+    "each sample in all; it counts as standing, and its displacement and turn are those until "
+    "then. Rolling, contour or drilling friction would bring it to rest",
     STILL_SLIDING: "still slid when the motion had ended, with nothing to stop it: there is too "
     "little kinetic friction for the tilt; its displacement counts until then",
 }

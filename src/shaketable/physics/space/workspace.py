@@ -128,7 +128,6 @@ class Touch:
     active: int  # 1 if it has a part of the pressure there, of which some may pull
     spread: Floats6  # its pressure for a unit of each row's unknown (`walled`)
     found: Floats  # its reaction that was found, while others are tried
-    carried: int  # what it may bear, while all are put back
 
 
 class Mode:
