@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.constraints import carried, carry_all, pulls, share_pressure
-from shaketable.physics.space.contacts import arm, flat_margin, slip_direction, velocity
+from shaketable.physics.space.contacts import arm, flat_margin, slip_direction
 from shaketable.physics.space.linear import solve
 from shaketable.physics.space.losses import resistance
-from shaketable.physics.space.vectors import Axes, Vec, add, cross, on_body
+from shaketable.physics.space.vectors import Axes, Vec, add, cross
 from shaketable.physics.space.workspace import (
     Floats,
     Q,
@@ -97,14 +97,7 @@ def slide_and_turn(
     found = False
     carry_all(work)
     for _ in range(n + 1):
-        for i in range(EQUATIONS):
-            for j in range(EQUATIONS):
-                total = 0.0
-                for k in range(n):
-                    touch = work.touches[work.closed[k]]
-                    if touch.active:
-                        total += work.effects[k, i] * touch.basis[j]
-                work.system[i, j] = total
+        sum_effects(work)
         work.system[RISES, 3], work.system[TIPS, 3], work.system[TIPS_ASIDE, 3] = -f.z, tips, aside
         if not solve(work.system, EQUATIONS, work.solved):
             break
@@ -122,19 +115,53 @@ def slide_and_turn(
     return Vec(linear_x, linear_y, 0.0), torque / inertia.zz, found
 
 
+@kernel
+def sum_effects(work: Workspace) -> None:
+    """Write to `system` what each of the three ways to share pressure does to each equation.
+
+    In nine sums at once: loops over rows, columns and touches took three times as long.
+    """
+    rise_0 = rise_1 = rise_2 = tip_0 = tip_1 = tip_2 = lean_0 = lean_1 = lean_2 = 0.0
+    for k in range(work.mode.closed):
+        touch, effect = work.touches[work.closed[k]], work.effects[k]
+        if touch.active:
+            rise, tip, lean = effect[RISES], effect[TIPS], effect[TIPS_ASIDE]
+            a, b, c = touch.basis[0], touch.basis[1], touch.basis[2]
+            rise_0, rise_1, rise_2 = rise_0 + rise * a, rise_1 + rise * b, rise_2 + rise * c
+            tip_0, tip_1, tip_2 = tip_0 + tip * a, tip_1 + tip * b, tip_2 + tip * c
+            lean_0, lean_1, lean_2 = (
+                lean_0 + lean * a,
+                lean_1 + lean * b,
+                lean_2 + lean * c,
+            )
+    system = work.system
+    system[RISES, 0], system[RISES, 1], system[RISES, 2] = rise_0, rise_1, rise_2
+    system[TIPS, 0], system[TIPS, 1], system[TIPS, 2] = tip_0, tip_1, tip_2
+    system[TIPS_ASIDE, 0], system[TIPS_ASIDE, 1], system[TIPS_ASIDE, 2] = lean_0, lean_1, lean_2
+
+
 @routine
 def write_wrenches(shape: SolidParameters, work: Workspace, q: Axes, y: Floats) -> None:
     """Write to `effects` what a unit of pressure does at each closed touch."""
-    inertia, resists = shape.inertia, resistance(shape, q, vec(y, W))
+    inertia, resists, spin = shape.inertia, resistance(shape, q, vec(y, W)), y[W + 2]
     for k in range(work.mode.closed):
         place = work.closed[k]
         point, mu = work.touches[place].point, work.touches[place].kinetic
         r = arm(shape, work, point)
-        x, z = slip_direction(shape, work, place, velocity(shape, work, q, y, point))
-        torque = add(cross(r, on_body(q, Vec(-mu * x, -mu * z, 1.0))), resists)
+        across, along = -spin * r.y, spin * r.x  # it turns about the normal alone
+        u = Vec(
+            y[V] + (q.x.x * across + q.x.y * along),
+            y[V + 1] + (q.y.x * across + q.y.y * along),
+            0.0,
+        )
+        x, z = slip_direction(shape, work, place, u)
+        rubs_x, rubs_y = -mu * x, -mu * z
+        ahead = rubs_x * q.x.x + rubs_y * q.y.x
+        aside = rubs_x * q.x.y + rubs_y * q.y.y
+        torque = add(cross(r, Vec(ahead, aside, 1.0)), resists)
         effect = work.effects[k]
         effect[RISES] = 1.0
         effect[TIPS] = torque.x - inertia.xz / inertia.zz * torque.z
         effect[TIPS_ASIDE] = torque.y - inertia.yz / inertia.zz * torque.z
-        effect[FRICTION], effect[FRICTION_ASIDE] = -mu * x, -mu * z
+        effect[FRICTION], effect[FRICTION_ASIDE] = rubs_x, rubs_y
         effect[TURNS] = torque.z
