@@ -34,6 +34,13 @@ def checkout(tmp_path: Path) -> Path:
     return tmp_path
 
 
+#: What drivers inline, called as tests call it.
+PRODUCT = """
+from shaketable.physics.space.vectors import Vec, dot
+print(dot(Vec(1.0, 2.0, 3.0), Vec(4.0, 5.0, 6.0)), sum(dot.stats.cache_hits.values()))
+"""
+
+
 def run(checkout: Path, code: str = SLENDERNESS, **environment: str) -> str:
     result = subprocess.run(
         [sys.executable, "-c", code],
@@ -67,6 +74,11 @@ def test_an_edit_in_a_callee_changes_the_result(checkout: Path) -> None:
     assert float(run(checkout)) == 2 * before
     callee.write_text(source)
     assert float(run(checkout)) == before
+
+
+def test_what_is_no_driver_is_kept_where_python_calls_it(checkout: Path) -> None:
+    assert run(checkout, PRODUCT).split() == ["32.0", "0"]
+    assert run(checkout, PRODUCT).split() == ["32.0", "1"]
 
 
 @pytest.mark.slow

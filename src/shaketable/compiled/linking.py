@@ -20,11 +20,15 @@ from typing import Any
 import numba
 from llvmlite import binding
 from numba.core import codegen, compiler, errors, types, typing
+from numba.core.caching import NullCache
 from numba.core.compiler_machinery import register_pass
 from numba.core.funcdesc import PythonFunctionDescriptor
 from numba.core.lowering import Lower
 from numba.core.registry import CPUDispatcher
 from numba.core.typed_passes import BaseNativeLowering, NativeLowering
+
+from shaketable.compiled.caches import cache_of
+from shaketable.compiled.sources import group_of
 
 TRIED = ((0, 64), (0, 68))  # versions of Numba, from and to
 #: Lets loops over lanes use 512-bit registers, which LLVM avoids on Intel's processors unless it
@@ -202,12 +206,20 @@ class DriverCompiler(_InnerCompiler):
 class InnerFunction(CPUDispatcher):
     """A function for compiled callers; from Python, as tests call it, it is a driver of its own."""
 
+    _cache: Any
+
     def __init__(self, py_func: Callable[..., Any], *arguments: Any, **options: Any) -> None:
         super().__init__(py_func, *arguments, **{"pipeline_class": DriverCompiler, **options})
         self._inner: dict[tuple[Any, ...], Any] = {}
         self._inner_compiler = type(self._compiler)(
             py_func, self.targetdescr, self.targetoptions, {}, _InnerCompiler
         )
+
+    def compile(self, sig: Any) -> Any:
+        """For a caller that is not compiled; kept on disk as a driver is."""
+        if isinstance(self._cache, NullCache) and group_of(self.py_func):
+            self._cache = cache_of(self.py_func)
+        return super().compile(sig)
 
     def get_call_template(self, args: Any, kws: Any) -> Any:
         """Numba asks this for the type of a call.

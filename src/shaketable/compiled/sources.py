@@ -38,8 +38,19 @@ def source_hash(room: str, package: Path = PACKAGE) -> str:
 
 def folder_of(function: Callable[..., object]) -> str:
     """What the folder of a driver's machine code is called."""
-    room = Path(function.__code__.co_filename).parent.name
-    return f"{room}-{_hash_here(room)}"
+    group = group_of(function)
+    if group is None:
+        raise ValueError(f"{function.__code__.co_filename} is in no room that is compiled")
+    return f"{group}-{_hash_here(group)}"
+
+
+def group_of(function: Callable[..., object]) -> str | None:
+    """The entry of COMPILED_TOGETHER with the room that the function stands in, if there is one."""
+    folder = Path(function.__code__.co_filename).resolve().parent
+    for group, rooms in COMPILED_TOGETHER.items():
+        if any(folder == PACKAGE / room for room in rooms):
+            return group
+    return None
 
 
 _hash_here = cache(source_hash)
