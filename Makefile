@@ -3,7 +3,7 @@
 # make test-part  today's fortieth of the longer checks, or PART=K/N of them
 # make lint     format, style, types   make bench       speed, beside other software
 # make lock     renew the lock files   make clean       remove what make has made
-# make wheel    a wheel with compiled code, for Linux on x86-64
+# make wheel    a wheel with compiled code, for Linux on x86-64; make CODE=<that wheel> takes it here
 # make app      a folder that runs without Python, for this platform
 # make interop  exported files read by OpenQuake and pelicun
 # make test-web the page in headless Chromium
@@ -14,9 +14,11 @@
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
+INSTALL := $(BIN)/python scripts/install.py
 OUT ?= out/assessment
 ARGS ?=
 LOCK := requirements.lock
+TEST_LOCK := requirements-test.lock
 
 COUNT ?= 20000
 KILLS ?= 3
@@ -33,53 +35,53 @@ assess: $(VENV)/installed
 	$(BIN)/shaketable assess $(ARGS) --out $(OUT) --overwrite
 
 # a file stays in one worker, which makes its fixtures once
-test: $(VENV)/installed
+test: $(VENV)/tested
 	$(BIN)/python -m pytest -n auto --dist loadfile -m "not slow and not web"
 
-test-slow: $(VENV)/installed
+test-slow: $(VENV)/tested
 	$(BIN)/python -m pytest -n auto -m "not web"
 
-test-part: $(VENV)/installed
+test-part: $(VENV)/tested
 	$(BIN)/python -m pytest -n auto -m "slow and not web" --part $(PART)
 
-test-web: $(VENV)/installed
+test-web: $(VENV)/tested
 	$(BIN)/python -m pytest -n auto -m web
 
-fuzz: $(VENV)/installed
+fuzz: $(VENV)/tested
 	$(BIN)/python -m tests.fuzz.run --count $(COUNT) --seed $(SEED)
 	$(BIN)/python -m tests.fuzz.kills --count $(KILLS) --seed $(SEED)
 	$(BIN)/python -m tests.fuzz.troubles --count $(KILLS) --seed $(SEED)
 
-lint: $(VENV)/installed
+lint: $(VENV)/tested
 	$(BIN)/ruff format --check .
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 
-format: $(VENV)/installed
+format: $(VENV)/tested
 	$(BIN)/ruff format .
 	$(BIN)/ruff check --fix .
 
-bench: $(VENV)/installed requirements-bench.lock
-	$(BIN)/python -m pip install --quiet --require-hashes -r requirements-bench.lock
+bench: $(VENV)/tested requirements-bench.lock
+	$(INSTALL) requirements-bench.lock
 	$(BIN)/python -m benchmarks
 	$(BIN)/python -m benchmarks.shaking
 	$(BIN)/python -m benchmarks.study
 	$(BIN)/python -m benchmarks.solids
-	$(BIN)/python -m benchmarks.solid_peers
+	$(BIN)/python -m benchmarks.moving_support
 	$(BIN)/python -m benchmarks.risk
 	$(BIN)/python -m benchmarks.inventory
 	$(BIN)/python -m benchmarks.inventory --stub
 	$(BIN)/python -m benchmarks.campaigns
 
-interop: $(VENV)/installed
+interop: $(VENV)/tested
 	$(BIN)/python -m benchmarks.interop
 
 app: $(VENV)/installed
 	$(BIN)/python -m scripts.build_app
 
 # the environment keeps its pinned versions; the tools of the site come beside them
-docs: $(VENV)/installed requirements-docs.lock
-	$(BIN)/python -m pip install --quiet --no-compile --require-hashes -r requirements-docs.lock
+docs: $(VENV)/tested requirements-docs.lock
+	$(INSTALL) requirements-docs.lock
 	$(BIN)/python -m sphinx -q -W --keep-going -b html docs docs/_build/html
 	test "$(DOCS_RUN)" = 0 || $(BIN)/python docs/run_pages.py
 
@@ -89,18 +91,24 @@ wheel: $(VENV)/installed
 $(VENV)/installed: $(LOCK) pyproject.toml studies/pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "shaketable needs Python 3.11 or newer: make PYTHON=python3.11")'
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --no-compile --require-hashes -r $(LOCK)
+	$(INSTALL) $(LOCK)
 	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable . --editable ./studies
+	test -z "$(CODE)" || $(BIN)/python -m scripts.take_code $(CODE)
+	touch $@
+
+# the tools of the tests, and the extras that only they need all of
+$(VENV)/tested: $(VENV)/installed $(TEST_LOCK)
+	$(INSTALL) $(TEST_LOCK)
 	touch $@
 
 LOCKING = $(BIN)/uv pip compile --quiet --universal --generate-hashes --python-version 3.11 \
 	--no-emit-index-url --no-emit-find-links --custom-compile-command "make lock"
 
 lock: $(VENV)/installed
-	$(BIN)/python -m pip install --quiet uv
-	$(LOCKING) --extra test --extra lint --extra cluster --extra scenario --extra parquet --output-file $(LOCK) pyproject.toml requirements-build.in
-	$(LOCKING) --extra bench --constraints $(LOCK) --output-file requirements-bench.lock pyproject.toml
-	$(LOCKING) --extra docs --constraints $(LOCK) --output-file requirements-docs.lock pyproject.toml
+	$(LOCKING) --extra web --extra docx --output-file $(LOCK) pyproject.toml requirements-build.in
+	$(LOCKING) --extra test --extra lint --extra cluster --extra scenario --constraints $(LOCK) --output-file $(TEST_LOCK) pyproject.toml
+	$(LOCKING) --extra bench --constraints $(TEST_LOCK) --output-file requirements-bench.lock pyproject.toml
+	$(LOCKING) --extra docs --constraints $(TEST_LOCK) --output-file requirements-docs.lock pyproject.toml
 
 clean:
 	rm -rf $(VENV) out dist build docs/_build docs/gallery_of_examples docs/reference/api docs/reference/commands docs/reference/backreferences docs/library_page .pytest_cache .ruff_cache .mypy_cache .hypothesis

@@ -60,7 +60,7 @@ def tests(session: nox.Session) -> None:
 @nox.session(python="3.11")
 def lint(session: nox.Session) -> None:
     """Style and types, with the pinned versions."""
-    session.install("--require-hashes", "-r", "requirements.lock")
+    session.install("--require-hashes", "-r", "requirements-test.lock")
     session.install("--no-deps", "-e", ".", "-e", "./studies")
     session.run("ruff", "format", "--check", ".")
     session.run("ruff", "check", ".")

@@ -8,9 +8,11 @@ import platform
 import shutil
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
 import pytest
+from scripts.take_code import take
 
 from shaketable.compiled.caches import LEVEL, fits_here
 from tests.compiled.test_caches import PACKAGE, SLENDERNESS
@@ -115,3 +117,24 @@ def test_without_a_folder_of_ones_own_it_is_used(shipping: Path, tmp_path: Path)
     blocked.write_text("not a folder")
     *_, hits = run(shipping, SLENDERNESS + HIT, blocked)
     assert hits == 1
+
+
+def test_a_checkout_takes_the_code_of_a_wheel(shipping: Path, tmp_path: Path) -> None:
+    code = shipping / "shaketable/machine_code"
+    wheel = tmp_path / "some.whl"
+    with zipfile.ZipFile(wheel, "w") as file:
+        file.writestr("shaketable/__init__.py", "")
+        for path in code.rglob("*.*"):
+            file.write(path, f"shaketable/machine_code/{path.relative_to(code)}")
+    said = take(wheel, tmp_path / "taken")
+    assert said == (
+        "some.whl: machine code for 1 of 3 groups of these sources; the others have changed, and "
+        "are compiled when needed"
+    )
+    taken = {str(f.relative_to(tmp_path / "taken")): f.read_bytes()
+             for f in (tmp_path / "taken").rglob("*.*")}  # fmt: skip
+    assert taken == {str(f.relative_to(code)): f.read_bytes() for f in code.rglob("*.*")}
+    with zipfile.ZipFile(wheel, "w") as file:
+        file.writestr("shaketable/__init__.py", "")
+    assert "no machine code in it" in take(wheel, tmp_path / "none")
+    assert not (tmp_path / "none").exists()
