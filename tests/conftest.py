@@ -10,11 +10,16 @@ from shaketable import Motion
 from shaketable.compile_ahead import compile_ahead
 from shaketable.records import suite
 
+from .support.costs import Costs
+
 SHARED = Path(__file__).resolve().parents[2] / "shared"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--part", metavar="K/N", help="each N-th of the chosen tests, from the K-th")
+    parser.addoption(
+        "--costs", type=int, metavar="N", help="print the N dearest files, fixtures and tests"
+    )
 
 
 @pytest.hookimpl(trylast=True)  # of those that -m and -k leave
@@ -29,6 +34,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 def pytest_configure(config: pytest.Config) -> None:
     """Compile the large drivers once, ahead of the workers of a run in parallel."""
+    if config.option.costs:
+        config.pluginmanager.register(Costs(config.option.costs))
     if getattr(config.option, "numprocesses", None) and not hasattr(config, "workerinput"):
         compile_ahead()
 

@@ -14,7 +14,7 @@ from tests.fuzz.asked import line_as_file, run_line, write_beside
 @pytest.mark.parametrize(
     ("count", "seed"),
     [
-        pytest.param(160, 1, id="some"),
+        pytest.param(80, 1, id="some"),
         pytest.param(2_000, 2, id="many", marks=pytest.mark.slow),
     ],
 )

@@ -8,16 +8,26 @@ what is printed, or in a file. Options of the contact model are followed into th
 from __future__ import annotations
 
 import re
+import shutil
 from collections.abc import Iterator
 from functools import cache
+from importlib import import_module
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import pytest
 import typer
 from matplotlib.figure import Figure
 
 from shaketable.cli import app
+from shaketable.fragility.efficiency import efficiency
+from shaketable.fragility.fragility import fragility
+from shaketable.fragility.two_measures import vector_fragility
+from shaketable.fragility.uncertain import uncertain_fragility
+from shaketable.hazard.earthquake import object_chances
+from shaketable.hazard.functions import functions_by_building, object_functions
+from shaketable.hazard.objects import object_rates
+from shaketable.hazard.spatial import total_falls
 from shaketable.study import installed_studies
 from tests.cli.test_model_options import OPTIONS as OF_THE_MODEL
 from tests.support.command import shaketable, undrawn
@@ -53,6 +63,12 @@ class Option(NamedTuple):
     seen: str
     base: str = ""
 
+
+#: What draws as often as a default of theirs says.
+DRAW: tuple[Any, ...] = (
+    efficiency, fragility, functions_by_building, object_chances, object_functions, object_rates,
+    total_falls, uncertain_fragility, vector_fragility,
+)  # fmt: skip
 
 WALL = "--wall-gap-mm 1"
 STRAP = "--strap top:stiffness=50kN/m"
@@ -408,10 +424,26 @@ COMMANDS_ELSEWHERE = {
 }
 
 
+@pytest.fixture(scope="module")
+def small_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("small_files")
+    write_small_files(folder)
+    return folder
+
+
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    write_small_files(tmp_path)
+def folder(tmp_path: Path, small_files: Path) -> Path:
+    shutil.copytree(small_files, tmp_path, dirs_exist_ok=True)
     return tmp_path
+
+
+@pytest.fixture(autouse=True)
+def few_draws(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of bootstraps and losses: half the time of a call, and no option is about their number."""
+    for module in ("calibration.calibrate", "hazard.totals"):
+        monkeypatch.setattr(import_module(f"shaketable.{module}"), "DRAWS", 20)
+    for function in DRAW:
+        monkeypatch.setitem(function.__kwdefaults__, "draws", 20)
 
 
 @cache

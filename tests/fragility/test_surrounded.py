@@ -90,14 +90,14 @@ def test_the_lowest_level_that_overturns_is_one_that_does(shaking: list[Motion])
         (BODY, WALL, MODEL),
         (box, Surroundings(edge=Edge(at=0.21)), slippery),
     ):
-        found = ida(body, shaking[:2], "PGA", model=model, surroundings=around)
+        found = ida(body, shaking[1:2], "PGA", model=model, surroundings=around, precision=0.04,
+                    multiple=14.0)  # fmt: skip
         scale = found.scale.isel(body=0).values
         assert np.isfinite(scale).all()
-        for share, falls in ((1.0, True), (1 / 1.02, False)):
+        for share, falls in ((1.0, True), (1 / 1.08, False)):
             runs = simulate_each(
-                body, [motion for motion in shaking[:2] for _ in range(2)],
-                scales=share * scale.ravel(), polarities=[1, -1, 1, -1], model=model,
-                surroundings=around, progress=False,
+                body, shaking[1:2] * 2, scales=share * scale.ravel(), polarities=[1, -1],
+                model=model, surroundings=around, progress=False,
             )  # fmt: skip
             assert ((runs.outcome.values != 0) == falls).all()
     assert scale.min() * 1.6 < 0.6 * G  # it tips from a_x = g on

@@ -62,7 +62,7 @@ def test_damage_is_an_error(tmp_path: Path, rows: str, said: str) -> None:
     assert said in str(error.value)
 
 
-@pytest.mark.parametrize("count", [300, pytest.param(5000, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [100, pytest.param(5000, marks=pytest.mark.slow)])
 def test_damaged_inventories_are_input_errors_or_read(tmp_path: Path, count: int) -> None:
     rng = np.random.default_rng(count)
     whole = (

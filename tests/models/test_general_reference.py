@@ -15,7 +15,7 @@ from benchmarks.time_stepping import Stepped, time_stepping
 from shaketable import Response
 from tests.support.pulses import Case, random_pulse
 
-CASES = 60
+CASES = 30
 STEP = 1e-5  # s: its error is of first order, some 1e-4 of a peak here
 FINER = 10  # times, where the first comparison fails
 WITHIN = 0.02  # the bound

@@ -21,7 +21,7 @@ from shaketable import (
 from tests.support.builders import TABLE_1
 from tests.support.recorded import WELL_CONDITIONED, conditioning, random_case
 
-CASES = 300
+CASES = 150
 PEAK = 1e-6  # rad and m, the bound; ends of bounce sequences and round-off differ
 
 

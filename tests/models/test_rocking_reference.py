@@ -11,7 +11,7 @@ from shaketable import Body, Motion, Response, Rocking, Support, simulate
 from tests.support.recorded import WELL_CONDITIONED, conditioning, random_case
 from tests.support.reference import G, integrate
 
-CASES = 15
+CASES = 8
 
 
 @pytest.mark.parametrize(

@@ -98,7 +98,7 @@ def damage(
     return faults, read, longest
 
 
-@pytest.mark.parametrize("each", [40, pytest.param(600, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("each", [20, pytest.param(600, marks=pytest.mark.slow)])
 def test_damaged_records(tmp_path: Path, caplog: pytest.LogCaptureFixture, each: int) -> None:
     tracemalloc.start()
     with caplog.at_level(logging.WARNING):

@@ -81,6 +81,7 @@ def test_what_is_not_simulated_is_not_among_them(pairs: list[Motion]) -> None:
         shake_once(ROOM, replace(pairs[0], transverse=None), model=MODEL)
 
 
+@pytest.mark.slow  # 5 s; that a film is drawn is quick, in tests/cli/test_room.py
 def test_the_film_shows_things_move_in_both_views(shaken: RoomShaken, tmp_path: Path) -> None:
     """Over the white paper around the room nothing is drawn; within it pictures differ."""
     path = animate_room(shaken, tmp_path / "room.gif")

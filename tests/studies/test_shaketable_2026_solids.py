@@ -101,6 +101,7 @@ def test_losses_are_those_of_the_simulations(study: Study, some: list[Motion]) -
     assert len(by_change) == len(CHANGES)
 
 
+@pytest.mark.slow  # 6 s; meters of assessments and campaigns are quick
 def test_the_meter_ends_where_it_should(some: list[Motion]) -> None:
     """As many simulations are told as were announced."""
     pairs = pairs_of(some[:2], 0)

@@ -35,7 +35,7 @@ def ratios(motions: list[Motion], wanted: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize("name", TARGETS)
 @pytest.mark.parametrize("envelope", ["trapezoid", "jennings"])
 def test_code_spectra(name: str, envelope: str) -> None:
-    motions = spectrum_compatible(TARGETS[name], 12, duration=25.0, envelope=envelope, seed=3)
+    motions = spectrum_compatible(TARGETS[name], 8, duration=25.0, envelope=envelope, seed=3)
     found = ratios(motions, TARGETS[name].at(PERIODS))
     assert np.abs(found - 1.0).max() < 0.10  # the tolerance asked for
     assert np.abs(found.mean(axis=0) - 1.0).max() < 0.05
@@ -45,14 +45,14 @@ def test_code_spectra(name: str, envelope: str) -> None:
         assert motion.horizontal[[0, -1]] == pytest.approx([0.0, 0.0], abs=1e-12)
         assert motion.duration == pytest.approx(25.0)
     # phases of their own: no two alike
-    likeness = np.corrcoef([motion.horizontal for motion in motions]) - np.eye(12)
+    likeness = np.corrcoef([motion.horizontal for motion in motions]) - np.eye(8)
     assert np.abs(likeness).max() < 0.35
 
 
 def test_recorded_spectra(p695: list[Motion]) -> None:
     # the paper's way (C): a recorded motion's own spectrum, which has kinks where peaks change
     # hands; a mean of other motions rounds those off by some per cent
-    for target in p695[0:24:8]:
+    for target in p695[0:24:12]:
         motions = spectrum_compatible(target, 8, seed=1)
         found = ratios(motions, response_spectrum(target, PERIODS).acceleration)
         assert np.abs(found - 1.0).max() < 0.10

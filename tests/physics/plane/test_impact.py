@@ -45,7 +45,7 @@ def closed(contact: int) -> list[float]:
     return {BOTH: [1.0, -1.0], RIGHT: [1.0], LEFT: [-1.0]}[contact]
 
 
-@settings(max_examples=3000, deadline=None)
+@settings(max_examples=1000, deadline=None)
 @given(cases)
 def test_laws_hold_at_every_impact(case: tuple) -> None:
     s, pose, contact = build(case)

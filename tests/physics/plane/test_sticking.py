@@ -13,7 +13,7 @@ from shaketable.physics.plane.contact import force_of
 from shaketable.physics.plane.forcing import Forcing, rest_of, seen_from
 from tests.support.builders import G, contact_body
 
-CASES = 2000
+CASES = 800
 POINTS = 60
 
 

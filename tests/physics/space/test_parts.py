@@ -47,6 +47,7 @@ def test_an_impact_takes_a_share_of_a_wall_s_restitution(share: float) -> None:
     )  # where sweeps of the impact end
 
 
+@pytest.mark.slow  # compiles for 20 s; runs that step are held against Moreau's in test_walls.py
 def test_time_stepping_takes_the_force_in_the_middle_of_each_step() -> None:
     """In flight under a force that grows linearly the velocity is its exact integral."""
     shapes, workspaces = shapes_of(BOX, General(static_friction=0.5))
