@@ -24,7 +24,8 @@ ROOT = Path(__file__).resolve().parents[1]
 
 def main() -> None:
     lock = Path(sys.argv[1])
-    count = len(re.findall(r"^[\w.-]+==", lock.read_text(encoding="utf-8"), re.MULTILINE))
+    text = lock.read_text(encoding="utf-8")
+    count = len(set(re.findall(r"^([\w.-]+)==", text, re.MULTILINE)))
     print(f"{lock.name}: {count} packages, once; uv takes seconds, pip a minute or two", flush=True)
     begun = time.monotonic()
     tool = "uv" if by_uv(lock) else "pip"

@@ -39,4 +39,7 @@ def take(wheel: Path, target: Path) -> str:
 
 
 if __name__ == "__main__":
-    print(take(Path(sys.argv[1]), SHIPPED))
+    try:
+        print(take(Path(sys.argv[1]), SHIPPED))
+    except (OSError, zipfile.BadZipFile) as error:
+        sys.exit(f"{sys.argv[1]}: {error}; CODE= takes a wheel of `make wheel`")

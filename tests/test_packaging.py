@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import re
+import shutil
+import subprocess
+import sys
 import tomllib
 from pathlib import Path
 
 import pytest
+from scripts import install
 from scripts.build_paper import WORDS, words
 
 from shaketable.cli.lazy import SUMMARIES
@@ -69,3 +73,50 @@ def test_every_command_has_a_task(name: str) -> None:
     page = (ROOT / "docs" / "reference" / "commands.md").read_text("utf-8")
     words = "" if name == "open" else f" {name}\\b"
     assert re.search(rf"^    shaketable{words or '$'}", page, re.MULTILINE)
+
+
+def pins(lock: str) -> dict[str, set[str]]:
+    """Of each package its versions, of which one or another is for some Pythons."""
+    text = (ROOT / lock).read_text(encoding="utf-8")
+    found: dict[str, set[str]] = {}
+    for name, version in re.findall(r"^([\w.-]+)==([^ ]+)", text, re.MULTILINE):
+        found.setdefault(name, set()).add(version)
+    return found
+
+
+def test_the_locks_agree() -> None:
+    """One environment: what the main job needs, and beside it tools of tests and of the site."""
+    main = pins("requirements.lock")
+    assert set(main) >= {"numba", "pyarrow", "fastapi", "uv", "hatchling"}
+    assert not {"pytest", "mypy", "hypothesis", "obspy"} & set(main)
+    for other in ("requirements-test.lock", "requirements-bench.lock", "requirements-docs.lock"):
+        both = set(main) & set(pins(other))
+        assert len(both) > 15, other
+        assert {name: main[name] for name in both} == {name: pins(other)[name] for name in both}
+
+
+@pytest.mark.parametrize(("there", "fails", "by"), [
+    (True, False, ["uv"]), (True, True, ["uv", "pip", "compileall"]),
+    (False, False, ["pip", "pip", "compileall"]),
+])  # fmt: skip
+def test_packages_come_by_uv_or_else_by_pip(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], there: bool, fails: bool,
+    by: list[str],
+) -> None:  # fmt: skip
+    """The first pip of the last fetches the pinned uv, which here it cannot."""
+    called: list[str] = []
+
+    def run(words: list[str], **_: object) -> subprocess.CompletedProcess[str]:
+        of_python = words[:2] == [sys.executable, "-m"]
+        called.append(words[2] if of_python else Path(words[0]).name)
+        assert "--require-hashes" in words or called[-1] == "compileall"
+        return subprocess.CompletedProcess(words, int(fails and called[-1] == "uv"))
+
+    monkeypatch.setattr(subprocess, "run", run)
+    monkeypatch.setattr(shutil, "which", lambda name, path=None: "/bin/uv" if there else None)
+    monkeypatch.setattr(sys, "argv", ["install.py", str(ROOT / "requirements.lock")])
+    install.main()
+    assert called == by
+    said = capsys.readouterr().out
+    assert f"{len(pins('requirements.lock'))} packages" in said
+    assert f"installed by {'pip' if 'pip' in by else 'uv'} in 0 s" in said
