@@ -20,7 +20,8 @@ import numpy as np
 from benchmarks.moving_support import ours, with_drake, with_mujoco, with_warp
 from benchmarks.moving_support.cases import Answers, Case, read_cases
 
-ABSOLUTE = 1e-6  # rad: of peaks that are nought
+ABSOLUTE = 0.01  # rad: peaks that are nought are off by parts of it
+NEAR_SLIP, NEAR_PEAK = 1e-3, 0.01  # m; of the peak
 
 
 class Software(NamedTuple):
@@ -61,6 +62,12 @@ class Row(NamedTuple):
     peak: float
     took: float
 
+    @property
+    def close(self) -> bool:
+        """Whether the outcome is right, the slip within 1 mm, the peak within 1 %."""
+        off = (self.slip / NEAR_SLIP, self.peak / NEAR_PEAK)
+        return self.outcome and all(each <= 1.0 for each in off if not math.isnan(each))
+
 
 def held_against(case: Case, software: Software) -> Row:
     begun = time.perf_counter()
@@ -69,7 +76,7 @@ def held_against(case: Case, software: Software) -> Row:
     known = case.answers
     slip = peak = math.nan
     if known.slip is not None and found.slip is not None:
-        slip = abs(found.slip - known.slip)
+        slip = math.inf if found.falls else abs(found.slip - known.slip)
     if known.peak is not None and found.peak is not None:
         peak = abs(found.peak - known.peak) / (known.peak or ABSOLUTE)
     return Row(found.falls == known.falls, slip, peak, took)
@@ -93,16 +100,14 @@ def main() -> None:
     for k, case in enumerate(cases):
         print(f"| {case.name} | {_known(case)} | ", end="")
         print(" | ".join(_told(case, told[k]) for told in rows.values()) + " |")
-    print(
-        "\n| software | ms a case | outcomes | slip off, largest [m] | peak off, median | largest |"
-    )
-    print("|---|---:|---:|---:|---:|---:|")
+    heads = ("software", "ms a case", "close", "slip off, largest [m]", "peak off, median")
+    print(f"\n| {' | '.join(heads)} | largest |\n|---|---:|---:|---:|---:|---:|")
     for name, told in rows.items():
         slips = np.array([row.slip for row in told])
         peaks = np.array(
             [row.peak for row, case in zip(told, cases, strict=True) if case.answers.peak]
         )
-        right = sum(row.outcome for row in told)
+        right = sum(row.close for row in told)
         print(
             f"| {name} | {1e3 * np.mean([row.took for row in told]):,.1f} | {right}/{len(told)} | "
             f"{np.nanmax(slips):.1e} | {np.nanmedian(peaks):.1e} | {np.nanmax(peaks):.1e} |"

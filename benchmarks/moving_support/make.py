@@ -27,8 +27,9 @@ SAME = 1e-3  # of the peak
 IN_SPACE = 8
 ABOUT = (
     "A homogeneous box at rest on a plane support that begins to move. SI units; x and y are level,"
-    " z is up; accelerations are the support's, linear between samples; friction is Coulomb's,"
-    " nothing bounces. within: metres of a slip, parts of a peak."
+    " z is up; accelerations are the support's, linear between samples; friction is Coulomb's;"
+    " nothing bounces: each corner's restitution is 0, with friction in impacts as well. g is"
+    " 9.80665 m/s2. null: not given. within: metres of a slip, a fraction of a peak."
 )
 
 
@@ -131,7 +132,8 @@ def what_does_all_in_space() -> Iterator[Case]:
         toward = random.uniform(-math.pi, math.pi)
         push = sine(random.uniform(1.0, 2.0) * G / slender, 0.5, 1.2)
         case = Case(
-            f"in space, {found + 1}", "A pulse askew to its sides, with a fifth of it upward.",
+            f"in space, {found + 1}",
+            f"A pulse askew to its sides, with a fifth of it upward; draw {seed}.",
             (width, depth, slender * min(width, depth)), random.uniform(0.3, 0.9),
             float(random.choice([0.0, 0.05])), random.uniform(-math.pi, math.pi), STEP,
             np.column_stack([math.cos(toward) * push, math.sin(toward) * push, 0.2 * push]),

@@ -10,7 +10,7 @@ import math
 import numpy as np
 
 from benchmarks.moving_support.cases import Answers, Case
-from benchmarks.moving_support.with_mujoco import WAYS, model_of
+from benchmarks.moving_support.with_mujoco import WAYS, between, model_of
 
 EVERY = 0.0025  # s between looks at where the box is
 
@@ -33,8 +33,8 @@ def run(case: Case, step: float) -> Answers:
         model.opt.gravity.assign(force[None, k].astype(np.float32))
         mjw.step(model, data)
         if (k + 1) % looks == 0:
-            axis = data.xmat.numpy()[0, -1].reshape(3, 3)[:, 2]
-            peak = max(peak, math.acos(min(1.0, max(-1.0, float(axis[2])))))
+            axis = data.xmat.numpy()[0, -1].reshape(3, 3)[:, 2].astype(float)
+            peak = max(peak, between(axis, np.array([0.0, 0.0, 1.0])))
             if peak > math.pi / 2:
                 return Answers(math.nan, math.pi / 2, falls=True)
     axis = data.xmat.numpy()[0, -1].reshape(3, 3)[:, 2]

@@ -48,8 +48,12 @@ def page(request: pytest.FixtureRequest, browser: Any, address: str) -> Iterator
         lambda message: any(each in message.text for each in QUIET) or told.append(message.text),
     )
     opened.on("pageerror", lambda error: told.append(str(error)))
-    # a page that is left, or has heard the end, drops its events
-    opened.on("requestfailed", lambda asked: "/events" in asked.url or told.append(asked.url))
+    # a page that is left drops its events, and its icon where the browser has not asked for it yet
+    dropped = ("/events", "/icon.svg")
+    opened.on(
+        "requestfailed",
+        lambda asked: any(each in asked.url for each in dropped) or told.append(asked.url),
+    )
     visit(opened, address)
     yield opened
     context.close()
