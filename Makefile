@@ -88,17 +88,18 @@ docs: $(VENV)/tested requirements-docs.lock
 wheel: $(VENV)/installed
 	$(BIN)/python -m scripts.compile_wheel
 
-$(VENV)/installed: $(LOCK) pyproject.toml studies/pyproject.toml
+$(VENV)/installed: $(LOCK) pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "shaketable needs Python 3.11 or newer: make PYTHON=python3.11")'
 	$(PYTHON) -m venv $(VENV)
 	$(INSTALL) $(LOCK)
-	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable . --editable ./studies
+	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable .
 	test -z "$(CODE)" || $(BIN)/python -m scripts.take_code $(CODE)
 	touch $@
 
-# the tools of the tests, and the extras that only they need all of
-$(VENV)/tested: $(VENV)/installed $(TEST_LOCK)
+# the tools of the tests, the extras that only they need all of, and the studies with what these need
+$(VENV)/tested: $(VENV)/installed $(TEST_LOCK) studies/pyproject.toml
 	$(INSTALL) $(TEST_LOCK)
+	$(BIN)/python -m pip install --quiet --no-deps --no-build-isolation --editable ./studies
 	touch $@
 
 LOCKING = $(BIN)/uv pip compile --quiet --universal --generate-hashes --python-version 3.11 \

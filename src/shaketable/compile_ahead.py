@@ -115,7 +115,7 @@ def _in_a_process(name: str) -> int:
 def for_another(name: str) -> None:
     """Compile one driver for the process at the other end of standard input, while it lives."""
     threading.Thread(target=_end_with_input, daemon=True).start()
-    gc.disable()  # a twelfth of the time, as nearly all that a compiler makes stays until it ends
+    gc.disable()  # a fourteenth of the time: nearly all that a compiler makes stays until it ends
     compile_driver(name)
 
 
