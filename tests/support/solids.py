@@ -52,18 +52,12 @@ def released(
     """
     from shaketable.physics.space.drive import move_solid
     from shaketable.physics.space.found import make_found, make_trace, numbers_of
+    from shaketable.physics.space.workspace import P, Q, V, W
 
     shapes, workspaces = shapes_of(solid, model, surroundings)
-    x, y, z, w = rotation.as_quat()
-    workspaces["state"][0] = [
-        *np.asarray(position),
-        w,
-        x,
-        y,
-        z,
-        *np.asarray(velocity),
-        *np.asarray(spin),
-    ]
+    state = workspaces["state"][0]
+    state[P : P + 3], state[V : V + 3], state[W : W + 3] = position, velocity, spin
+    state[Q : Q + 4] = rotation.as_quat(scalar_first=True)
     samples = motion.horizontal.size
     trace = make_trace(samples)
     all_found = make_found(1)
@@ -77,10 +71,10 @@ def released(
         time[-1] = found.time
     return Run(
         time,
-        state[:, :3],
-        Rotation.from_quat(state[:, [4, 5, 6, 3]]),
-        state[:, 7:10],
-        state[:, 10:],
+        state[:, P : P + 3],
+        Rotation.from_quat(state[:, Q : Q + 4], scalar_first=True),
+        state[:, V : V + 3],
+        state[:, W : W + 3],
         trace.rank[:n],
         found,
     )

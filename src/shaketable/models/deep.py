@@ -83,9 +83,12 @@ def ground_of(shaking: Shaking) -> GroundAcceleration:
 
 def state_of(place: Place, rates: Sequence[float] = (0.0, 0.0, 0.0)) -> NDArray[np.float64]:
     """The state of its deep solid, (STATE,), its velocities along x and z and its spin given."""
-    half, (v_x, v_z, spin) = 0.5 * place.rotation, rates
-    turned = [math.cos(half), 0.0, math.sin(half), 0.0]
-    return np.array([place.x, 0.0, place.z, *turned, v_x, 0.0, v_z, 0.0, spin, 0.0])
+    from shaketable.physics.space.workspace import STATE, P, Q, V, W
+
+    state = np.zeros(STATE)
+    state[[P, P + 2, V, V + 2, W + 1]] = place.x, place.z, *rates
+    state[[Q, Q + 2]] = math.cos(0.5 * place.rotation), math.sin(0.5 * place.rotation)
+    return state
 
 
 def move(

@@ -21,10 +21,11 @@ SLIPS = 1e-6  # of √(g h): a corner beside a wall or an edge that is slower st
 
 def planar_states(states: NDArray[np.float64]) -> NDArray[np.float64]:
     """x, z, θ and their rates of the states of a deep solid, (n, 6)."""
-    theta = 2.0 * np.arctan2(states[:, 5], states[:, 3])
-    return np.column_stack(
-        [states[:, 0], states[:, 2], theta, states[:, 7], states[:, 9], states[:, 11]]
-    )
+    from shaketable.physics.space.workspace import P, Q, V, W
+
+    theta = 2.0 * np.arctan2(states[:, Q + 2], states[:, Q])
+    moves = states[:, [V, V + 2, W + 1]]
+    return np.column_stack([states[:, P], states[:, P + 2], theta, moves])
 
 
 def corner_of(

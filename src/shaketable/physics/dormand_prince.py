@@ -15,9 +15,11 @@ SAFETY, SHRINK, GROW = 0.8, 0.2, 5.0
 
 
 @kernel
-def to_stage(n: int, stage: int, h: float, y, k, out) -> None:  # type: ignore[no-untyped-def]
-    """Write the n numbers of a stage, 1 to 6, of a step of h [s] from y; the sixth is its end."""
-    for j in range(n):
+def to_stage(  # type: ignore[no-untyped-def]
+    first: int, end: int, stage: int, h: float, y, k, out
+) -> None:
+    """Write numbers of a stage, 1 to 6, of a step of h [s] from y; the sixth is its end."""
+    for j in range(first, end):
         if stage == 1:
             out[j] = y[j] + h * (0.2 * k[0, j])
         elif stage == 2:
@@ -52,10 +54,10 @@ def to_stage(n: int, stage: int, h: float, y, k, out) -> None:  # type: ignore[n
 
 
 @kernel
-def error_of(n: int, h: float, k, out) -> float:  # type: ignore[no-untyped-def]
-    """The largest error of n numbers of a step of h [s] that ends at `out`, over 1 and its size."""
+def error_of(first: int, end: int, h: float, k, out) -> float:  # type: ignore[no-untyped-def]
+    """The largest error of numbers of a step of h [s] that ends at `out`, over 1 and its size."""
     worst = 0.0
-    for j in range(n):
+    for j in range(first, end):
         error = h * (
             71.0 / 57600.0 * k[0, j]
             - 71.0 / 16695.0 * k[2, j]

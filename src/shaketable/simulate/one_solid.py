@@ -49,7 +49,7 @@ def simulate_solid(
     """Shake one solid and keep its history; arguments as for `simulate`."""
     from shaketable.physics.space.drive import move_solid
     from shaketable.physics.space.found import OVERTURNED, make_found, make_trace, numbers_of
-    from shaketable.physics.space.workspace import Q
+    from shaketable.physics.space.workspace import P, Q, V, W
 
     general = model_for_solids(model)
     require_number("orientation [rad]", orientation)
@@ -95,10 +95,10 @@ def simulate_solid(
         ending=Ending(found.ending),
         impacts=found.impacts,
         time=times_of(motion, n, found.landing_time if found.off_edge else found.time),
-        position=state[:, :Q].copy(),
-        velocity=state[:, 7:10].copy(),
+        position=state[:, P : P + 3].copy(),
+        velocity=state[:, V : V + 3].copy(),
         quaternions=state[:, [Q + 1, Q + 2, Q + 3, Q]],
-        angular_velocity=state[:, 10:].copy(),
+        angular_velocity=state[:, W : W + 3].copy(),
         contact=tuple(Contact(code) for code in trace.rank[:n]),
         grip=tuple(Grip(code) for code in trace.hold[:n]),
         fallbacks=found.fallbacks,

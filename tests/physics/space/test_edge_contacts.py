@@ -20,7 +20,7 @@ from shaketable.physics.space.touches import (
     touch_velocity,
 )
 from shaketable.physics.space.vectors import ZERO, on_support
-from shaketable.physics.space.workspace import Q, V, W
+from shaketable.physics.space.workspace import P, Q, V, W
 
 SOLIDS = {"box": Solid.box(0.4, 0.5, 0.6), "cylinder": Solid.cylinder(0.5, 0.6)}
 STEP = 1e-4  # s: second differences are then right to some 1e-6 of what they are
@@ -29,7 +29,7 @@ STEP = 1e-4  # s: second differences are then right to some 1e-6 of what they ar
 def moved(state: NDArray[np.float64], time: float) -> NDArray[np.float64]:
     """A state that goes on with its velocity and its spin."""
     out = state.copy()
-    out[:3] += time * state[V : V + 3]
+    out[P : P + 3] += time * state[V : V + 3]
     turned = Rotation.from_quat(state[[Q + 1, Q + 2, Q + 3, Q]])
     turned = turned * Rotation.from_rotvec(time * state[W : W + 3])
     out[Q : Q + 4] = turned.as_quat()[[3, 0, 1, 2]]
@@ -54,15 +54,15 @@ def test_velocity_and_acceleration_of_the_gap(name: str, lip: float) -> None:
         turn = Rotation.from_euler("zyx", rng.uniform(-1.0, 1.0, 3) * (3.1, 1.2, 0.3))
         up = turn.apply((0.0, 0.0, 0.3)) + rng.uniform(-0.2, 0.2, 3)
         state = work.state
-        state[:3] = np.array((0.3, 0.0, lip)) + up
+        state[P : P + 3] = np.array((0.3, 0.0, lip)) + up
         state[Q : Q + 4] = turn.as_quat()[[3, 0, 1, 2]]
-        state[V:] = rng.normal(0.0, 1.0, 6)
+        state[V : V + 3], state[W : W + 3] = rng.normal(0.0, 1.0, (2, 3))
         note_past(shape, work, True)
         q, side = axes_at(state), int(rng.integers(side_count(shape)))
         found = crossing(shape, work, q, state, side)
         if not abs(found.gap) < 0.2 or found.left < 0.02:
             continue
-        state[:3] -= found.gap * np.array(on_support(q, found.normal))
+        state[P : P + 3] -= found.gap * np.array(on_support(q, found.normal))
         note_past(shape, work, True)
         found = crossing(shape, work, q, state, side)
         if not abs(found.gap) < 1e-12 or found.left < 0.02:

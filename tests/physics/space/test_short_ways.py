@@ -62,7 +62,7 @@ def test_slips_are_those_of_any_contact(name: str, points: tuple[int, ...] | Non
         assert work.mode.kind == (CORNER if len(closed) == 1 else EDGE)
         q = axes_at(work.state)
         if points is None:
-            find_rim(shape, work, q, vec(work.state, W))
+            find_rim(shape, work, q.z, vec(work.state, W))
         f = Vec(*rng.normal(size=2), -9.8)
         short = slip if len(closed) == 1 else slip_on_two
         linear, turn = short(shape, work, q, work.state, f)

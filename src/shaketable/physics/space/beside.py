@@ -363,5 +363,5 @@ def begin_beside(shape: SolidParameters, work: Workspace, f: Vec, still: bool) -
         still = holds and still_at(shape, work, q)
     if still:
         work.mode.grip = STICKS
-        for j in range(V, STATE):
-            work.state[j] = 0.0
+        put(work.state, V, ZERO)
+        put(work.state, W, ZERO)

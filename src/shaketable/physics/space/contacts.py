@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.space.vectors import (
     Axes,
+    LongAxes,
     Vec,
     add,
     axes_of,
     cross,
     dot,
+    long_axes_of,
     on_support,
     subtract,
     times,
@@ -28,12 +31,19 @@ from shaketable.physics.space.workspace import (
 )
 
 LEVEL = 1e-8  # sine of the nutation below which a circle lies flat
+SHORT = 0.005  # tangent of half of a turn whose arctangent is a short series
 LEAST_SLIP = 1e-30  # m/s: keeps the direction of none a number
 
 
 @kernel
 def axes_at(y: Floats) -> Axes:
     return axes_of(y[Q], y[Q + 1], y[Q + 2], y[Q + 3])
+
+
+@kernel
+def long_axes_at(y: Floats) -> LongAxes:
+    """As `axes_at`, before the division."""
+    return long_axes_of(y[Q], y[Q + 1], y[Q + 2], y[Q + 3])
 
 
 @kernel
@@ -116,33 +126,51 @@ def acceleration(
     return add(vec(dy, V), on_support(q, add(cross(vec(dy, W), r), cross(spin, own))))
 
 
-@routine
-def find_rim(shape: SolidParameters, work: Workspace, q: Axes, spin: Vec) -> float:
-    """Write the lowest point of a circle's rim and how fast it moves along it.
+class Lowest(NamedTuple):
+    """The lowest point of a circle's rim."""
 
-    Returns the sine of the nutation, negative where the axis has passed the normal since the step
-    began: a rim that rolls goes on past its bottom until that is found as an event.
+    x: float  # its azimuth, body frame
+    y: float
+    along_x: float  # how fast it moves along the rim [m/s]
+    along_y: float
+    sine: float  # of the nutation
+
+
+@kernel
+def lowest_of_rim(shape: SolidParameters, work: Workspace, n: Vec, spin: Vec) -> Lowest:
+    """Where a circle's rim is lowest, and how fast that moves along it.
+
+    The sine is negative where the axis has passed the normal since the step began: a rim that rolls
+    goes on past its bottom until that is found as an event.
+
+    Args:
+        n: the support's normal in the body's frame; but for the sine its length does not matter.
+        spin: ω.
     """
-    n, rim, last = q.z, work.rim, shape.contacts
+    rim = work.rim
     square = n.x * n.x + n.y * n.y
     sine = math.sqrt(square)
     if sine <= LEVEL:
-        rim.along_x = 0.0
-        rim.along_y = 0.0
-    else:
-        one = 1.0 / square  # beside the root, which it need not wait for
-        x, y = -n.x * (one * sine), -n.y * (one * sine)
-        if on_rim(work) and x * rim.before_x + y * rim.before_y < 0.0:
-            x, y, sine = -x, -y, -sine
-        turn = cross(n, spin)  # the rate of the normal, which stands still, as the body sees it
-        along = -x * turn.x - y * turn.y
-        rim.x = x
-        rim.y = y
-        rim.along_x = shape.radius * (-turn.x - x * along) * (one * sine)
-        rim.along_y = shape.radius * (-turn.y - y * along) * (one * sine)
-    work.points[last].x = shape.radius * rim.x
-    work.points[last].y = shape.radius * rim.y
-    return sine
+        return Lowest(rim.x, rim.y, 0.0, 0.0, sine)
+    one = sine * (1.0 / square)  # which need not wait for the root
+    x, y = -n.x * one, -n.y * one
+    if on_rim(work) and x * rim.before_x + y * rim.before_y < 0.0:
+        x, y, one, sine = -x, -y, -one, -sine
+    turn = cross(n, spin)  # the rate of the normal, which stands still, as the body sees it
+    along = -x * turn.x - y * turn.y
+    speed = shape.radius * one
+    return Lowest(x, y, speed * (-turn.x - x * along), speed * (-turn.y - y * along), sine)
+
+
+@routine
+def find_rim(shape: SolidParameters, work: Workspace, n: Vec, spin: Vec) -> float:
+    """Write the lowest point of a circle's rim as `lowest_of_rim` finds it; return its sine."""
+    low, last = lowest_of_rim(shape, work, n, spin), shape.contacts
+    work.rim.x, work.rim.y = low.x, low.y
+    work.rim.along_x, work.rim.along_y = low.along_x, low.along_y
+    work.points[last].x = shape.radius * low.x
+    work.points[last].y = shape.radius * low.y
+    return low.sine
 
 
 @kernel
@@ -220,6 +248,21 @@ def twist(y) -> float:  # type: ignore[no-untyped-def]
     """Turn about the support's normal (swing and twist), in (-π, π]."""
     angle = 2.0 * math.atan2(y[Q + 3], y[Q])
     return angle - 2.0 * math.pi * math.floor((angle + math.pi) / (2.0 * math.pi))
+
+
+@kernel
+def turned_since(y: Floats, w: float, z: float) -> float:
+    """How far a body has turned about the support's normal since its rotation had these numbers.
+
+    In less than half a turn of it.
+    """
+    along, across = w * y[Q] + z * y[Q + 3], w * y[Q + 3] - z * y[Q]
+    if abs(across) < SHORT * abs(along):
+        part = across / along  # twice its arctangent, to the last digit
+        square = part * part
+        series = 1.0 - square * (1.0 / 3.0 - square * (0.2 - square / 7.0))
+        return float(2.0 * part * series)
+    return 2.0 * math.atan(across / along) if along != 0.0 else 0.0
 
 
 @kernel

@@ -8,14 +8,20 @@ six.
 from __future__ import annotations
 
 from shaketable.compiled import kernel, routine
+from shaketable.physics.space.contacts import axes_at, find_rim, on_rim
 from shaketable.physics.space.guards import GAP_FOUND, EventGuard, least_guard, window
+from shaketable.physics.space.keeping import hold_point
 from shaketable.physics.space.rates import rates
 from shaketable.physics.space.step import Pull, pull_at, take_step
+from shaketable.physics.space.turning import NOT_ALONE, turns_alone
 from shaketable.physics.space.workspace import (
     BETWEEN,
     STATE,
+    Floats,
     SolidParameters,
+    W,
     Workspace,
+    vec,
 )
 
 LOOKS = 8  # on the polynomial
@@ -81,6 +87,8 @@ def look_between(
             middle = 0.5 * (low + high)
         moved, at = middle - at, middle
         write_between(work, at / du)
+        if turns_alone(shape, work) != NOT_ALONE:
+            follow(shape, work, work.trial)
         rates(shape, work, work.trial, pull_at(pull, u + at), True, work.stages[BETWEEN])
         here = guard_at(shape, work, BETWEEN, moved * pull.length)
         if here.least >= 0.0:
@@ -90,6 +98,14 @@ def look_between(
         if abs(moved) < CLOSE * du:
             break
     return at + here.root / pull.length
+
+
+@routine
+def follow(shape: SolidParameters, work: Workspace, y: Floats) -> None:
+    """Write where a body that turns alone is, and how fast that moves."""
+    if on_rim(work):
+        find_rim(shape, work, axes_at(y).z, vec(y, W))
+    hold_point(shape, work, y, work.touches[work.closed[0]].point)
 
 
 @kernel

@@ -312,7 +312,7 @@ def rim_gap(
 ) -> tuple[float, float]:
     """How far a rim can still come down, at its lowest point or opposite, and at what rate."""
     q = axes_at(y)
-    sine = find_rim(shape, work, q, vec(y, W))
+    sine = find_rim(shape, work, q.z, vec(y, W))
     rate = 0.5 * lean_rate(y) / sine if sine != 0.0 else 0.0
     if on_rim(work):
         return 2.0 * shape.radius * sine + gap_past, 2.0 * shape.radius * rate

@@ -127,8 +127,8 @@ def try_sticking(shape: SolidParameters, work: Workspace, q: Axes, slack: float)
                 work.touches[place].carries = PRESSES if place == only else PULLS
             how = judge_sticking(shape, work, q, slack)
     if how != HOLDS:
-        for j in range(V, STATE):
-            y[j] = before[j]
+        put(y, V, vec(before, V))
+        put(y, W, vec(before, W))
         for place in range(work.mode.touches):
             put(work.touches[place].share, 0, ZERO)
     return how == HOLDS
@@ -233,8 +233,9 @@ def collide(shape: SolidParameters, work: Workspace) -> None:
         before[j] = work.state[j]
     how = strike(shape, work, 1.0, 0.0)
     if how == STAYS and shape.factor < 1.0 and not shape.planar:
-        for j in range(V, STATE):  # the velocities that are left keep the contact
-            work.state[j] *= shape.factor
+        # the velocities that are left keep the contact
+        put(work.state, V, times(shape.factor, vec(work.state, V)))
+        put(work.state, W, times(shape.factor, vec(work.state, W)))
     allowed = kinetic_energy(shape, before) * (1.0 + ENERGY_SLACK)
     if not bounces_any(work) or kinetic_energy(shape, work.state) <= allowed:
         return

@@ -33,7 +33,7 @@ from shaketable.physics.space.landing import (
     land,
 )
 from shaketable.physics.space.modes import end_slow_slips
-from shaketable.physics.space.noting import accept, copy, is_finite, look_at
+from shaketable.physics.space.noting import accept, copy, is_finite, look_at, look_on
 from shaketable.physics.space.rates import rates
 from shaketable.physics.space.rest import comes_to_rest, is_at_rest, rest_ends
 from shaketable.physics.space.settling import FELL, GOES_ON, LANDED, creep
@@ -159,7 +159,7 @@ def cross_interval(
             fresh, part = True, max(part, 1e-3)
             continue
         copy(work.stages[6], work.stages[0])
-        look_at(shape, work)
+        look_on(shape, work)
     return GOES_ON, 1.0, part
 
 

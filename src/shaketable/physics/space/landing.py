@@ -60,7 +60,7 @@ def collect_contacts(shape: SolidParameters, work: Workspace, leaving: float) ->
     q = axes_at(y)
     leans = shape.radius > 0.0 and q.z.x**2 + q.z.y**2 > LEVEL * LEVEL
     if leans:
-        find_rim(shape, work, q, vec(y, W))
+        find_rim(shape, work, q.z, vec(y, W))
     first = shape.contacts if leans and lies_on_rim(shape) else 0
     begin_list(work)
     for point in range(first, shape.contacts + (1 if leans else 0)):
@@ -81,7 +81,7 @@ def land(  # type: ignore[no-untyped-def]
         sine = math.sqrt(q.z.x**2 + q.z.y**2)
         if work.mode.kind == CORNER and sine > 2.0 * LEVEL:  # it has rolled past its bottom
             begin_rim(work)
-            find_rim(shape, work, q, vec(work.state, W))
+            find_rim(shape, work, q.z, vec(work.state, W))
             return
         if sine <= 2.0 * LEVEL:
             lay_ring(shape, work)
@@ -131,7 +131,7 @@ def gather_closed(shape: SolidParameters, work: Workspace) -> None:
     """List the closed points on the support alone; beside a wall some may have left it."""
     q, beside = axes_at(work.state), work.mode.kind == WALLED
     if beside and on_rim(work):
-        find_rim(shape, work, q, vec(work.state, W))
+        find_rim(shape, work, q.z, vec(work.state, W))
     n = work.mode.touches if beside else work.mode.closed
     begin_list(work)
     for k in range(n):

@@ -15,7 +15,7 @@ from shaketable.physics.space.contacts import (
     on_rim,
     side_direction,
 )
-from shaketable.physics.space.step import put_back
+from shaketable.physics.space.keeping import put_back
 from shaketable.physics.space.touches import add_touch, slip_velocity, slips_at
 from shaketable.physics.space.vectors import Vec, on_support
 from shaketable.physics.space.walled import end_velocities, let_closed_carry, write_mode
@@ -171,7 +171,7 @@ def enter(shape: SolidParameters, work: Workspace) -> None:
     write_mode(shape, work, axes_at(y))
     end_velocities(shape, work, y)
     if on_rim(work):
-        find_rim(shape, work, axes_at(y), vec(y, W))
+        find_rim(shape, work, axes_at(y).z, vec(y, W))
     keep_anchor(shape, work)
     put_back(shape, work, y)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from shaketable.compiled import kernel, routine
-from shaketable.physics.space.contacts import axes_at, begin_rim, find_rim, foot_of, twist
+from shaketable.physics.space.contacts import axes_at, begin_rim, find_rim, foot_of, turned_since
 from shaketable.physics.space.edge import (
     PAST,
     clearance,
@@ -22,6 +22,7 @@ from shaketable.physics.space.workspace import (
     FLIGHT,
     STATE,
     STICKS,
+    Q,
     SolidParameters,
     W,
     Workspace,
@@ -45,14 +46,21 @@ def is_finite(y) -> bool:  # type: ignore[no-untyped-def]
 
 @routine
 def look_at(shape: SolidParameters, work: Workspace) -> None:
-    """Store reactions and slip directions at the start of a step."""
-    work.judged.press_before, work.judged.cone_before = work.judged.press, work.judged.cone
-    q, y = axes_at(work.state), work.state
+    """Store reactions, where a rim is, and slip directions at the start of a step."""
     if shape.radius > 0.0:
         begin_rim(work)
-        find_rim(shape, work, q, vec(y, W))
+        find_rim(shape, work, axes_at(work.state).z, vec(work.state, W))
+    look_on(shape, work)
+
+
+@routine
+def look_on(shape: SolidParameters, work: Workspace) -> None:
+    """Likewise where the step before has found the rim."""
+    work.judged.press_before, work.judged.cone_before = work.judged.press, work.judged.cone
+    if shape.radius > 0.0:
+        begin_rim(work)
     if work.mode.grip != STICKS:
-        note_slips(shape, work, q)
+        note_slips(shape, work, axes_at(work.state))
 
 
 @routine
@@ -77,8 +85,8 @@ def accept(shape: SolidParameters, work: Workspace, h: float) -> None:
     foot = foot_of(shape, work)
     x, y = foot.x - tally.start_x, foot.y - tally.start_y
     tally.farthest = max(tally.farthest, x * x + y * y)
-    change = twist(work.state) - tally.yaw
-    tally.yaw += change - 2.0 * math.pi * math.floor((change + math.pi) / (2.0 * math.pi))
+    tally.yaw += turned_since(work.state, tally.yaw_w, tally.yaw_z)
+    tally.yaw_w, tally.yaw_z = work.state[Q], work.state[Q + 3]
 
 
 @routine

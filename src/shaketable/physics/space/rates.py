@@ -123,7 +123,7 @@ def rates(
     if upright and hold == SLIPS and slip_flat(shape, work, q, y, f, judge, dy):
         return
     if rolls:
-        find_rim(shape, work, q, vec(y, W))
+        find_rim(shape, work, q.z, vec(y, W))
     rocks = False
     if rank == CORNER and hold == STICKS and not loses(shape):
         linear, turn = roll(shape, work, q, y, f)

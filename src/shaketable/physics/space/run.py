@@ -70,6 +70,7 @@ def begin(shape: SolidParameters, work: Workspace, f: Vec, impact_times: Floats)
     tally.looked_at, tally.lively, tally.was_lively = 0.0, 0.0, math.inf
     tally.met = 1 if shape.glue > 0.0 else 0
     tally.yaw = tally.start_yaw = twist(work.state)
+    tally.yaw_w, tally.yaw_z = work.state[Q], work.state[Q + 3]
     tally.peak = peak_between(work.state, work.state, 0.0)
     foot = foot_of(shape, work)
     tally.start_x, tally.start_y = foot.x, foot.y

@@ -99,7 +99,7 @@ def gather_leaning(shape: SolidParameters, work: Workspace, hovers: float) -> bo
     if shape.radius == 0.0 or lies_on_rim(shape):
         return False
     q, most = axes_at(work.state), settling_height(shape, hovers)
-    find_rim(shape, work, q, vec(work.state, W))
+    find_rim(shape, work, q.z, vec(work.state, W))
     begin_list(work)
     for point in range(shape.contacts + 1):
         if settles(shape, work, q, point, most):
@@ -142,7 +142,7 @@ def gather_settling_at_walls(shape: SolidParameters, work: Workspace) -> bool:
     begin_list(work)
     rim = shape.radius > 0.0
     if rim:
-        find_rim(shape, work, q, vec(work.state, W))
+        find_rim(shape, work, q.z, vec(work.state, W))
     first = shape.contacts if rim and lies_on_rim(shape) else 0
     for point in range(first, shape.contacts + (1 if rim else 0)):
         if settles(shape, work, q, point, most):
@@ -207,7 +207,7 @@ def creep(shape: SolidParameters, work: Workspace, pull: Pull, u: float) -> int:
         q = axes_at(y)
         points = shape.contacts
         if shape.radius > 0.0 and not lies_on_rim(shape):
-            find_rim(shape, work, q, spin)
+            find_rim(shape, work, q.z, spin)
             points += 1
         begin_list(work)
         for point in range(points):

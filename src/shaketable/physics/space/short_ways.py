@@ -11,7 +11,7 @@ import math
 
 from shaketable.compiled import kernel
 from shaketable.physics.space.constraints import free_turning, pressure
-from shaketable.physics.space.contacts import arm, drift
+from shaketable.physics.space.contacts import arm, drift, slip_direction
 from shaketable.physics.space.linear import SINGULAR
 from shaketable.physics.space.losses import resistance
 from shaketable.physics.space.vectors import (
@@ -31,6 +31,7 @@ from shaketable.physics.space.vectors import (
 from shaketable.physics.space.workspace import (
     Floats,
     SolidParameters,
+    V,
     W,
     Workspace,
     put,
@@ -109,15 +110,24 @@ def lifted(shape: SolidParameters, work: Workspace, q: Axes, place: int, turn: V
 
 @kernel
 def slip(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
-    """On a corner or a rim that slips."""
+    """On a corner or a rim that slips: as on two, with what is known of one written out."""
     spin, place = vec(y, W), work.closed[0]
-    free = free_turning(shape, work, spin)
-    force, torque = pressure(shape, work, q, y, place, resistance(shape, q, spin))
-    turn = applied(shape.mobility, torque)
-    gets = lifted(shape, work, q, place, turn)
-    a = -rising(shape, work, q, y, place, f, free) / gets if gets != 0.0 else 0.0
-    put(work.touches[place].share, 0, times(a, force))
-    return add(f, times(a, force)), add(free, times(a, turn))
+    touch = work.touches[place]
+    r = arm(shape, work, touch.point)
+    turning = cross(spin, r)
+    x, z = slip_direction(shape, work, place, add(vec(y, V), on_support(q, turning)))
+    force = Vec(-touch.kinetic * x, -touch.kinetic * z, 1.0)
+    torque = add(cross(r, on_body(q, force)), resistance(shape, q, spin))
+    free = cross(applied(shape.inertia, spin), spin)
+    if shape.straps > 0:
+        free = add(free, vec(work.torque, 0))
+    gives = applied(shape.mobility, cross(r, q.z))  # how a torque lifts the point
+    own = add(turning, drift(shape, work, touch.point))
+    rises = f.z + dot(gives, free) + dot(q.z, cross(spin, own))
+    gets = 1.0 + dot(gives, torque)
+    a = -rises / gets if gets != 0.0 else 0.0
+    put(touch.share, 0, times(a, force))
+    return add(f, times(a, force)), applied(shape.mobility, add(free, times(a, torque)))
 
 
 @kernel

@@ -1,4 +1,4 @@
-"""One step of Dormand and Prince's method of order 5, and the state put back on its contact.
+"""One step of Dormand and Prince's method of order 5.
 
 Dormand J.R., Prince P.J. (1980), J. Comput. Appl. Math. 6, 19-26. The last stage of a step is the
 first of the next. Within a step the acceleration of the ground is linear.
@@ -11,36 +11,31 @@ from typing import NamedTuple
 
 from shaketable.compiled import kernel, routine
 from shaketable.physics.dormand_prince import NODES, error_of, to_stage
-from shaketable.physics.space.contacts import (
-    arm,
-    axes_at,
-    closed_point,
-    find_rim,
-    normalise,
-    on_rim,
-    side_direction,
+from shaketable.physics.space.contacts import axes_at
+from shaketable.physics.space.keeping import put_back
+from shaketable.physics.space.rates import judge_contact, judge_side, rates, write_rates
+from shaketable.physics.space.short_ways import rock, roll
+from shaketable.physics.space.straps import pulls_any
+from shaketable.physics.space.turning import (
+    NOT_ALONE,
+    ROLLS,
+    TURNS,
+    Pivot,
+    pivot_of,
+    turn_about,
+    turn_on_rim,
+    turns_alone,
 )
-from shaketable.physics.space.rates import rates
-from shaketable.physics.space.vectors import Vec, add, cross, dot, on_body, on_support, times
-from shaketable.physics.space.walled import put_back_at_walls
+from shaketable.physics.space.vectors import Vec, add, times
 from shaketable.physics.space.workspace import (
     CORNER,
-    FLAT,
-    FLIGHT,
-    PIVOTS,
-    SLIPS,
     STATE,
-    STICKS,
     WALLED,
     Floats,
     P,
-    Q,
     SolidParameters,
     V,
-    W,
     Workspace,
-    put,
-    vec,
 )
 
 NEVER = 2.0  # in place of the part of an interval
@@ -63,133 +58,86 @@ def pull_at(pull: Pull, u: float) -> Vec:
 def take_step(shape: SolidParameters, work: Workspace, pull: Pull, u: float, du: float) -> float:
     """Write the state after the part du of the interval to `trial`; return the step's error.
 
-    The first row of the stages has to hold the rates at u. An error below 1 is accepted.
+    The first row of the stages has to hold the rates at u, the last one gets those at the end, with
+    how sure the contact is there. An error below 1 is accepted.
     """
-    h = du * pull.length
-    y, k, out = work.state, work.stages, work.trial
-    to_stage(STATE, 1, h, y, k, out)
-    rates(shape, work, out, pull_at(pull, u + NODES[0] * du), False, k[1])
-    to_stage(STATE, 2, h, y, k, out)
-    rates(shape, work, out, pull_at(pull, u + NODES[1] * du), False, k[2])
-    to_stage(STATE, 3, h, y, k, out)
-    rates(shape, work, out, pull_at(pull, u + NODES[2] * du), False, k[3])
-    to_stage(STATE, 4, h, y, k, out)
-    rates(shape, work, out, pull_at(pull, u + NODES[3] * du), False, k[4])
-    to_stage(STATE, 5, h, y, k, out)
-    rates(shape, work, out, pull_at(pull, u + du), False, k[5])
-    to_stage(STATE, 6, h, y, k, out)
-    rates(shape, work, out, pull_at(pull, u + du), True, k[6])
-    worst = error_of(STATE, h, k, out) / shape.tolerance
-    put_back(shape, work, out)
+    h, y, k, out = du * pull.length, work.state, work.stages, work.trial
+    pivot, way = pivot_of(shape, work), turns_alone(shape, work)
+    if way == TURNS:
+        go_through(V, TURNS, shape, work, pull, u, du, pivot)
+    elif way == ROLLS:
+        go_through(V, ROLLS, shape, work, pull, u, du, pivot)
+        to_stage(P, P + 2, 6, h, y, k, out)
+    elif depends_on_place(shape, work):
+        go_through(STATE, NOT_ALONE, shape, work, pull, u, du, pivot)
+    else:
+        go_through(P, NOT_ALONE, shape, work, pull, u, du, pivot)
+        to_stage(P, STATE, 6, h, y, k, out)
+    if way == NOT_ALONE:
+        rates(shape, work, out, pull_at(pull, u + du), True, k[6])
+        worst = error_of(0, STATE, h, k, out)
+        put_back(shape, work, out)
+    else:
+        put_back(shape, work, out)
+        end_turn(shape, work, pull_at(pull, u + du))
+        worst = error_of(0, V, h, k, out) * max(1.0, shape.size)
+    worst /= shape.tolerance
     return worst if worst == worst else math.inf
 
 
-@routine
-def turn_state(y: Floats, axis: Vec, sine: float) -> None:
-    """Turn a state's rotation by a small angle about a unit axis of the support's frame."""
-    half = 0.5 * sine
-    w, x, i, z = y[Q], y[Q + 1], y[Q + 2], y[Q + 3]
-    a, b, c = half * axis.x, half * axis.y, half * axis.z
-    y[Q] = w - a * x - b * i - c * z
-    y[Q + 1] = x + a * w + b * z - c * i
-    y[Q + 2] = i + b * w + c * x - a * z
-    y[Q + 3] = z + c * w + a * i - b * x
+@kernel
+def depends_on_place(shape: SolidParameters, work: Workspace) -> bool:
+    """Whether rates depend on where a body is, and not on how it is turned and moves alone."""
+    return bool(work.mode.kind == WALLED or pulls_any(shape, work))
 
 
-@routine
-def put_back(shape: SolidParameters, work: Workspace, y: Floats) -> None:
-    """Put a state on its contact again, from which it has moved by the error of a step."""
-    rank, hold = work.mode.kind, work.mode.grip
-    normalise(y)
-    if rank == FLIGHT:
-        return
-    if rank == WALLED:
-        put_back_at_walls(shape, work, y)
-        return
-    rolls = on_rim(work)
-    if rank == FLAT:
-        if rolls:
-            keep_leaning(shape, work, y)
-        else:
-            y[Q + 1] = 0.0
-            y[Q + 2] = 0.0
-            normalise(y)
-            y[W] = 0.0
-            y[W + 1] = 0.0
-            y[P + 2] = shape.h
-        y[V + 2] = 0.0
-        if hold == PIVOTS:
-            hold_point(shape, work, y, work.touches[work.mode.pivot].point)
-        elif hold == STICKS:  # whatever impacts that did not converge have left
-            y[V] = y[V + 1] = y[W] = y[W + 1] = y[W + 2] = 0.0
-        return
-    if rolls:
-        find_rim(shape, work, axes_at(y), vec(y, W))
-    if rank != CORNER:
-        level_side(shape, work, y, hold == STICKS, rolls)
-        if rolls:
-            find_rim(shape, work, axes_at(y), vec(y, W))
-    point = work.touches[work.mode.pivot if hold == PIVOTS else work.closed[0]].point
-    if hold != SLIPS:
-        hold_point(shape, work, y, point)
-        return
-    q = axes_at(y)
-    r = arm(shape, work, point)
-    y[P + 2] = -dot(q.z, r)
-    y[V + 2] = -dot(q.z, cross(vec(y, W), r))
-
-
-@routine
-def keep_leaning(shape: SolidParameters, work: Workspace, y: Floats) -> None:
-    """Let a body that leans on its rim and two high points turn about the normal alone."""
-    q = axes_at(y)
-    find_rim(shape, work, q, vec(y, W))
-    put(y, W, times(dot(q.z, vec(y, W)), q.z))
-    deepest = 0.0
-    for k in range(work.mode.closed):
-        deepest = min(deepest, dot(q.z, arm(shape, work, closed_point(work, k))))
-    y[P + 2] = -deepest
-
-
-@routine
-def level_side(
-    shape: SolidParameters, work: Workspace, y: Floats, sticks: bool, rolls: bool
+@kernel
+def go_through(
+    numbers: int,
+    way: int,
+    shape: SolidParameters,
+    work: Workspace,
+    pull: Pull,
+    u: float,
+    du: float,
+    pivot: Pivot,
 ) -> None:
-    """Lay a side on the support again, along its old line if it sticks and no end of it rolls."""
-    e = side_direction(shape, work)
-    q = axes_at(y)
-    d = on_support(q, e)
-    if sticks and not rolls:
-        aim = Vec(work.anchor[2], work.anchor[3], 0.0)
+    """Write the rates of all stages but the last, of the first so many numbers, and the end."""
+    h, y, k, out = du * pull.length, work.state, work.stages, work.trial
+    to_stage(0, numbers, 1, h, y, k, out)
+    write_stage(way, shape, work, pivot, out, pull_at(pull, u + NODES[0] * du), k[1])
+    to_stage(0, numbers, 2, h, y, k, out)
+    write_stage(way, shape, work, pivot, out, pull_at(pull, u + NODES[1] * du), k[2])
+    to_stage(0, numbers, 3, h, y, k, out)
+    write_stage(way, shape, work, pivot, out, pull_at(pull, u + NODES[2] * du), k[3])
+    to_stage(0, numbers, 4, h, y, k, out)
+    write_stage(way, shape, work, pivot, out, pull_at(pull, u + NODES[3] * du), k[4])
+    to_stage(0, numbers, 5, h, y, k, out)
+    write_stage(way, shape, work, pivot, out, pull_at(pull, u + du), k[5])
+    to_stage(0, numbers, 6, h, y, k, out)
+
+
+@kernel
+def write_stage(
+    way: int, shape: SolidParameters, work: Workspace, pivot: Pivot, y: Floats, f: Vec, dy: Floats
+) -> None:
+    """Write the rates of a stage."""
+    if way == TURNS:
+        turn_about(pivot, y, f, dy)
+    elif way == ROLLS:
+        turn_on_rim(shape, work, y, f, dy)
     else:
-        size = math.sqrt(d.x * d.x + d.y * d.y)
-        aim = Vec(d.x / size, d.y / size, 0.0)
-    axis = cross(d, aim)
-    sine = math.sqrt(dot(axis, axis))
-    if sine > 0.0:
-        turn_state(y, times(1.0 / sine, axis), sine)
-        normalise(y)
-    spin = vec(y, W)
-    if sticks:
-        put(y, W, times(dot(e, spin), e))
+        rates(shape, work, y, f, False, dy)
+
+
+@kernel
+def end_turn(shape: SolidParameters, work: Workspace, f: Vec) -> None:
+    """Write and judge the last rates of what turns alone: as `rates`, which finds rims anew."""
+    q, y = axes_at(work.trial), work.trial
+    if work.mode.kind == CORNER:
+        linear, turn = roll(shape, work, q, y, f)
+        judge_contact(shape, work, q, y)
     else:
-        q = axes_at(y)
-        d = on_support(q, e)
-        lifts = on_body(q, Vec(-d.y, d.x, 0.0))
-        put(y, W, add(spin, times(-dot(spin, lifts), lifts)))
-
-
-@routine
-def hold_point(shape: SolidParameters, work: Workspace, y: Floats, point: int) -> None:
-    """Put a point that sticks where it was, on the support and at rest.
-
-    Where a rim rolls, the place of its contact is left as it is.
-    """
-    q = axes_at(y)
-    r = arm(shape, work, point)
-    place = on_support(q, r)
-    if not (shape.radius > 0.0 and point == shape.contacts):
-        y[P] = work.anchor[0] - place.x
-        y[P + 1] = work.anchor[1] - place.y
-    y[P + 2] = -place.z
-    put(y, V, times(-1.0, on_support(q, cross(vec(y, W), r))))
+        linear, turn = rock(shape, work, q, y, f)
+        judge_side(work)
+    write_rates(work.stages[6], y, linear, turn)

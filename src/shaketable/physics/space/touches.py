@@ -131,7 +131,7 @@ def look_at_touches(shape: SolidParameters, work: Workspace, q: Axes, y: Floats)
         put(row.normal, 0, n)
         if plane == 0:
             if shape.radius > 0.0 and point == shape.contacts:
-                find_rim(shape, work, q, spin)
+                find_rim(shape, work, q.z, spin)
             put(row.lever, 0, arm(shape, work, point))
             put(row.along, 0, drift(shape, work, point))
         else:

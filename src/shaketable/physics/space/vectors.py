@@ -109,6 +109,27 @@ def axes_of(w: float, x: float, y: float, z: float) -> Axes:
     )
 
 
+class LongAxes(NamedTuple):
+    """Axes of the length of their quaternion's square.
+
+    What is asked of them is divided by that at the end, for which it need not wait.
+    """
+
+    axes: Axes
+    one: float  # by their length
+
+
+@kernel
+def long_axes_of(w: float, x: float, y: float, z: float) -> LongAxes:
+    ww, xx, yy, zz = w * w, x * x, y * y, z * z
+    axes = Axes(
+        Vec((ww + xx) - (yy + zz), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
+        Vec(2.0 * (x * y + w * z), (ww + yy) - (xx + zz), 2.0 * (y * z - w * x)),
+        Vec(2.0 * (x * z - w * y), 2.0 * (y * z + w * x), (ww + zz) - (xx + yy)),
+    )
+    return LongAxes(axes, 1.0 / ((ww + xx) + (yy + zz)))
+
+
 @kernel
 def on_support(q: Axes, a: Vec) -> Vec:
     """A vector of the body's frame in the support's."""

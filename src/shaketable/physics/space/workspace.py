@@ -27,8 +27,9 @@ Floats6 = NDArray[np.float64]  # six, as a field of a record; `Floats` are three
 PerStrap = NDArray[np.float64]  # one for each strap, likewise
 Integers = NDArray[np.int64]
 
-# Where a state's numbers lie.
-P, Q, V, W, STATE = 0, 3, 7, 10, 13
+# Where a state's numbers lie: first what the motion of a body that turns about a point depends on,
+# then what that of any other does, and then the place.
+Q, W, V, P, STATE = 0, 4, 7, 10, 13
 BETWEEN = 7  # the row of the stages that a look between two steps writes
 MOST_STRAPS = 8
 MOST_WALLS = 4
@@ -166,6 +167,8 @@ class Tally:
     peak: float  # square of the sine of the largest nutation
     lift: float  # [m]
     yaw: float  # [rad]
+    yaw_w: float  # of the rotation that it was told of
+    yaw_z: float
     impacts: int
     events: int
     steps: int
