@@ -108,3 +108,18 @@ def test_with_much_friction_it_does_what_the_rocking_model_does() -> None:
         m = min(n, found.nutation.size)
         # below 1e-4 m/s a base is laid flat, at 1e-4 / 0.3 rad/s
         assert found.nutation[:m] == pytest.approx(np.abs(planar.rotation[:m]), abs=1e-5)
+
+
+@pytest.mark.parametrize(("height", "amplitude"), [(1.0, 4.0), (1.5, 3.0), (0.6, 8.0)])
+def test_what_cannot_slide_falls_as_the_rocking_model_does(height: float, amplitude: float) -> None:
+    """Its side would be pulled before it lies, and neither leaves nor slips: it turns on about it.
+
+    Times are those of integrations with a tolerance of 1e-9.
+    """
+    t = np.arange(400) * 0.01
+    motion = Motion(amplitude * np.sin(2 * np.pi * t / 0.8) * (t < 0.8), 0.01)
+    planar = simulate(Body.rectangle(0.3, height), motion, model="rocking")
+    found = simulate(Solid.box(0.3, 0.9, height), motion, model=General(static_friction=math.inf))
+    assert found.overturning_time == pytest.approx(planar.overturning_time, abs=1e-8)
+    assert found.impacts == planar.impacts == 1
+    assert found.fallbacks == 0

@@ -21,7 +21,7 @@ from shaketable.physics.space.closing import (
     rim_is_near,
 )
 from shaketable.physics.space.complementarity import moved_at, push_together, sweeps_left
-from shaketable.physics.space.cones import split_along
+from shaketable.physics.space.cones import NO_CONE, split_along
 from shaketable.physics.space.contacts import (
     acceleration,
     axes_at,
@@ -52,6 +52,7 @@ from shaketable.physics.space.workspace import (
 SLACK = 1e-10  # m/s²: a reaction or an acceleration may miss its sign by this much
 #: M/s²: a point that begins to slip may be accelerated back by this much.
 BACKWARD_SLIP_TOLERANCE = 1e-6
+PULLED_ON = NO_CONE  # m/s²: a contact that stays whatever pulls it is past its end by less
 
 
 @routine
@@ -64,7 +65,8 @@ def judge_mode(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool
     for place in range(work.mode.near):
         if is_place_closed(work, place):
             continue
-        if acceleration(shape, work, q, work.state, dy, work.touches[place].point).z < -SLACK:
+        sinks = -acceleration(shape, work, q, work.state, dy, work.touches[place].point).z
+        if not sinks <= SLACK:  # nor if it is no number
             return False
     return True
 
@@ -152,7 +154,7 @@ def try_slide(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
     pull = with_straps(shape, work, f)
     size = math.sqrt(pull.x * pull.x + pull.y * pull.y)
     close_all(shape, work)
-    if size == 0.0 or not shape.uniform:
+    if size == 0.0 or not shape.uniform or shape.least_static == math.inf:
         return False
     for place in range(work.mode.near):
         touch = work.touches[place]
@@ -209,7 +211,13 @@ def oppose_share(work: Workspace, place: int) -> None:
 def try_slip_of_side(
     shape: SolidParameters, work: Workspace, q: Axes, f: Vec, first: int, second: int
 ) -> bool:
-    """Whether one touch, or two, may begin to slip; nothing moves that did not if they may not."""
+    """Whether one touch, or two, may begin to slip; nothing moves that did not if they may not.
+
+    What has friction without limit never does.
+    """
+    held = work.touches[first].static == math.inf
+    if held or (second >= 0 and work.touches[second].static == math.inf):
+        return False
     work.touches[first].moves = 1
     if second >= 0:
         work.touches[second].moves = 1
@@ -273,6 +281,24 @@ def solve_together(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> 
 
 
 @routine
+def try_leaving_or_stay(shape: SolidParameters, work: Workspace, q: Axes, f: Vec) -> bool:
+    """Try whether what cannot slip leaves; a corner or a side that would sink stays."""
+    fly(shape, work)
+    leaves = judge_mode(shape, work, q, f)
+    if not leaves and work.mode.near < 3:
+        stay(shape, work)
+    return leaves or work.mode.near < 3
+
+
+@routine
+def stay(shape: SolidParameters, work: Workspace) -> None:
+    """Let what can neither slip nor leave turn on about what it touches, though that pulls it."""
+    close_all(shape, work)
+    arrange(shape, work, STICKS, 0)
+    work.judged.past = PULLED_ON
+
+
+@routine
 def choose_on_support(shape: SolidParameters, work: Workspace, f: Vec) -> None:
     """Find and begin the mode that follows, for the points on the support (`near`)."""
     if work.mode.near == 0:
@@ -291,13 +317,12 @@ def choose_on_support(shape: SolidParameters, work: Workspace, f: Vec) -> None:
         found = try_side_slip(shape, work, q, f, moving)
     if not found and not shape.uniform and work.mode.near > 2:
         found = try_grip(shape, work, q, f)
-    if not found:
-        found = solve_together(shape, work, q, f)
-        if not found:
-            work.tally.fallbacks += 1
-            if shape.least_static == math.inf:  # it can neither slip nor leave: it stays
-                close_all(shape, work)
-                arrange(shape, work, STICKS, 0)
+    if not found and shape.least_static == math.inf:
+        found = try_leaving_or_stay(shape, work, q, f)
+    if not found and not solve_together(shape, work, q, f):
+        work.tally.fallbacks += 1
+        if shape.least_static == math.inf:
+            stay(shape, work)
     rolls = work.mode.kind == CORNER and on_rim(work)
     if lies_on_rim(shape) and work.mode.kind not in (FLAT, FLIGHT) and not rolls:
         take_rim(shape, work)

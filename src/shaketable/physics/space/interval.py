@@ -7,6 +7,7 @@ import math
 from shaketable.compiled import kernel, routine
 from shaketable.physics.dormand_prince import next_part
 from shaketable.physics.space.beside import choose
+from shaketable.physics.space.choice import PULLED_ON
 from shaketable.physics.space.constraints import pulls
 from shaketable.physics.space.contacts import LEVEL, axes_at, lies_on_rim
 from shaketable.physics.space.edge import look_behind, note_past
@@ -86,7 +87,8 @@ def cross_interval(
     slides = work.mode.kind == FLAT  # sliding on a flat base needs the most steps
     most_steps = REDUCED_STEPS if slides and work.tally.steps >= LONG_RUN_STEPS else STEP_BUDGET
     while u < 1.0:
-        if u == 0.0 and events == 0 and comes_to_rest(shape, work):
+        if u == 0.0 and events == 0 and may_change(shape, work):
+            work.judged.past = FORCE_PAST
             gather_closed(shape, work)
             choose(shape, work, pull_at(pull, u))
         if is_at_rest(shape, work):
@@ -163,6 +165,12 @@ def cross_interval(
     return GOES_ON, 1.0, part
 
 
+@kernel
+def may_change(shape: SolidParameters, work: Workspace) -> bool:
+    """Whether a mode ends without an event: nothing moves any more, or what stayed may let go."""
+    return comes_to_rest(shape, work) or work.judged.past >= PULLED_ON
+
+
 @routine
 def respond(  # type: ignore[no-untyped-def]
     shape: SolidParameters, work: Workspace, f, kind: int, impact_times: Floats
@@ -188,7 +196,7 @@ def respond(  # type: ignore[no-untyped-def]
     else:
         gather_closed(shape, work)
     choose(shape, work, f)
-    if kind == FORCE and was == signature(work):
+    if kind == FORCE and was == signature(work) and work.judged.past < PULLED_ON:
         if before >= MOST_PAST:
             return True
         work.judged.past = (
