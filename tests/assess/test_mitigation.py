@@ -28,7 +28,7 @@ from shaketable.assess import (
     assess,
 )
 from shaketable.assess.mitigation import PREMISES, kinds_of, premises_of
-from shaketable.assess.solid_runs import Stood, halves, in_turn
+from shaketable.assess.stood import Stood, halves, in_turn
 from shaketable.building import Building
 from shaketable.inventory import BaseShape, Castors, Item, solid_of
 from shaketable.outcome import Outcome

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,14 +14,15 @@ from shaketable import Body, General, InputError, Motion, Rocking, simulate
 from shaketable.assess import Assessment, CastorFriction, assess
 from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.shares import share_of
-from shaketable.assess.solid_runs import Stood, halves, in_turn, one_of_each, run_solids
+from shaketable.assess.solid_runs import run_solids
 from shaketable.assess.solids import ShakingInSpace, sides_of
+from shaketable.assess.stood import Stood, halves, in_turn, one_of_each
 from shaketable.building import Building
 from shaketable.campaign.as_json import from_json, to_json
 from shaketable.inventory import BaseShape, Castors, Item, solid_of
 from shaketable.origin import Origin
 from shaketable.records import suite
-from shaketable.simulate import ShakingSet
+from shaketable.simulate import ShakingSet, kinds
 from shaketable.tilting import TURNS
 
 
@@ -139,6 +141,35 @@ def test_half_a_turn_does_what_the_other_polarity_does(pairs: list[Motion]) -> N
     assert 0.1 < turned.fell.mean() < 0.9
     # to round-off, which grows as they rock
     np.testing.assert_allclose(both.toward[1::2], turned.toward, atol=0.01)
+
+
+def test_what_is_alike_is_simulated_once(pairs: list[Motion], monkeypatch: Any) -> None:
+    """Two desks of other names; not one that is wider, or stands tilted, turned or on ice."""
+    trial, simulated, done = ShakingSet(pairs[:2], 1.3, General(static_friction=0.4)), [], []
+    run = kinds.run
+
+    def counted(tasks: Any, count: int, *rest: Any) -> Any:
+        simulated.append(count)
+        return run(tasks, count, *rest)
+
+    monkeypatch.setattr(kinds, "run", counted)
+    one, other = item(0.2, 0.6, 1.0, "a", location="here"), item(0.2, 0.6, 1.0, "b", floor="3")
+    wide = item(0.2, 0.65, 1.0, "a", location="here")
+    solid, wider = solid_of(one, 0.0), solid_of(wide, 0.0)
+    assert solid is not None
+    assert wider is not None
+    stood = [
+        Stood(one, solid), Stood(other, replace(solid, name="b")), Stood(wide, wider),
+        Stood(one, solid, tilt=0.02), Stood(one, solid), Stood(one, solid, friction=0.3),
+    ]  # fmt: skip
+    ways = [each.ways(pairs[:2])[:, :1, :2] for each in stood]
+    ways[4] = ways[4] + 0.1
+    runs = run_solids(stood, ways, trial, done.append)
+    assert simulated == [5 * 4]
+    assert sum(done) == 6 * 4
+    assert runs[0].along.tolist() == runs[1].along.tolist()
+    for k in range(2, 6):
+        assert runs[k].along.tolist() != runs[0].along.tolist()
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,8 @@ from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.results import FrictionResult, LevelResult, Sides, SolidResult
 from shaketable.assess.runs import Done
 from shaketable.assess.shares import Share, is_worse, observed_quartiles, share_of
-from shaketable.assess.solid_runs import SolidRuns, Stood, one_of_each, run_solids
+from shaketable.assess.solid_runs import SolidRuns, run_solids
+from shaketable.assess.stood import Stood, one_of_each
 from shaketable.inventory import Castors, Item, solid_of
 from shaketable.models import General, Model, Rocking
 from shaketable.simulate import ShakingSet

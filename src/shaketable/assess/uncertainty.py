@@ -21,8 +21,9 @@ from shaketable.assess.profiles import Profile
 from shaketable.assess.results import UncertainResult
 from shaketable.assess.runs import Done
 from shaketable.assess.shares import Share
-from shaketable.assess.solid_runs import Stood, run_solids
+from shaketable.assess.solid_runs import run_solids
 from shaketable.assess.solids import ShakingInSpace
+from shaketable.assess.stood import Stood
 from shaketable.calibration import Uncertainty
 from shaketable.calibration.uncertainty import uncertain
 from shaketable.inventory import BaseShape, Item

@@ -8,8 +8,8 @@ from enum import StrEnum
 
 from shaketable.assess.mitigation.trials import TRIALS, Asked
 from shaketable.assess.results import MitigationKind
-from shaketable.assess.solid_runs import Stood
 from shaketable.assess.solids import ShakingInSpace
+from shaketable.assess.stood import Stood
 from shaketable.inventory import BaseShape
 from shaketable.rooms.faults import faults_of
 from shaketable.rooms.room import Room, Thing

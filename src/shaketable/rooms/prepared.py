@@ -11,8 +11,8 @@ from shaketable.assess import CastorFriction
 from shaketable.assess.floor import floor_of
 from shaketable.assess.results import Sides
 from shaketable.assess.shares import Share, share_of
-from shaketable.assess.solid_runs import Ways, one_of_each
 from shaketable.assess.solids import ShakingInSpace, sides_of
+from shaketable.assess.stood import Ways, one_of_each
 from shaketable.errors import Fault, InputError, named, quoted, refusal
 from shaketable.inventory import solid_of
 from shaketable.language import tell

@@ -14,8 +14,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from shaketable.assess.solid_runs import Stood, Ways, run_solids
+from shaketable.assess.solid_runs import run_solids
 from shaketable.assess.solids import ShakingInSpace
+from shaketable.assess.stood import Stood, Ways
 from shaketable.inventory import Item
 from shaketable.motion import Motion
 from shaketable.progress import Done

@@ -11,7 +11,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from shaketable.assess import Share
-from shaketable.assess.solid_runs import turns_of
+from shaketable.assess.stood import turns_of
 from shaketable.body import Body
 from shaketable.engine.endings import not_settled
 from shaketable.errors import InputError

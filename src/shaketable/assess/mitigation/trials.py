@@ -14,8 +14,8 @@ from typing import NamedTuple
 from shaketable.assess.frictions import FRICTIONS
 from shaketable.assess.item_result import ItemResult
 from shaketable.assess.results import MitigationKind
-from shaketable.assess.solid_runs import Stood
 from shaketable.assess.solids import ShakingInSpace
+from shaketable.assess.stood import Stood
 from shaketable.assess.straps import SLACKS, STIFFNESSES, asks_for_trial, in_strap
 from shaketable.assess.walls import WALL_GAP, beside_a_wall
 from shaketable.inventory import BaseShape, Castors, Item, solid_of

@@ -9,15 +9,9 @@ from shaketable.assess.mitigation.trials import Asked, Trial
 from shaketable.assess.results import Mitigation, MitigationKind
 from shaketable.assess.runs import Done
 from shaketable.assess.shares import share_of
-from shaketable.assess.solid_runs import (
-    SolidRuns,
-    Ways,
-    halves,
-    in_turn,
-    require_possible,
-    run_solids,
-)
+from shaketable.assess.solid_runs import SolidRuns, require_possible, run_solids
 from shaketable.assess.solids import ShakingInSpace
+from shaketable.assess.stood import Ways, halves, in_turn
 from shaketable.errors import InputError
 
 #: How many times as long a simulation takes as one of an object that stands alone, about.
