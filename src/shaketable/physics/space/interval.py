@@ -65,6 +65,8 @@ STEP_BUDGET = 2_000  # likewise, steps
 #: After this many events (steps) in one run, intervals get the reduced budget.
 LONG_RUN_EVENTS, LONG_RUN_STEPS = 2_000, 15_000
 REDUCED_EVENTS, REDUCED_STEPS = 10, 100
+#: After so many fallbacks in one run, the first event leads to time stepping.
+MANY_FALLBACKS = 300
 FIRST_SLIP = 0.3  # rad: greatest turn of friction's direction in the first step of a slip
 RIM_SHARE = 0.3  # greatest relative change of a rolling circle's nutation in a step
 
@@ -84,6 +86,8 @@ def cross_interval(
     """
     u, part, fresh, events, steps = 0.0, first, True, 0, 0
     most = BUDGET if work.tally.events < LONG_RUN_EVENTS else REDUCED_EVENTS
+    if work.tally.fallbacks > MANY_FALLBACKS:
+        most = 0
     slides = work.mode.kind == FLAT  # sliding on a flat base needs the most steps
     most_steps = REDUCED_STEPS if slides and work.tally.steps >= LONG_RUN_STEPS else STEP_BUDGET
     while u < 1.0:
