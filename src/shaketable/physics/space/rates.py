@@ -30,6 +30,7 @@ from shaketable.physics.space.flat_slip import (
 from shaketable.physics.space.losses import loses
 from shaketable.physics.space.short_ways import rock, roll, slip, slip_on_two
 from shaketable.physics.space.straps import add_straps
+from shaketable.physics.space.turning import write_turning
 from shaketable.physics.space.vectors import ZERO, Axes, Vec, on_support, subtract
 from shaketable.physics.space.walled import react_at_walls
 from shaketable.physics.space.workspace import (
@@ -43,7 +44,6 @@ from shaketable.physics.space.workspace import (
     WALLED,
     Floats,
     P,
-    Q,
     SolidParameters,
     V,
     W,
@@ -58,13 +58,7 @@ def write_rates(dy: Floats, y: Floats, linear: Vec, turn: Vec) -> None:
     """Write ẏ from the state and its accelerations."""
     put(dy, P, vec(y, V))
     put(dy, V, linear)
-    put(dy, W, turn)
-    w, x, i, z = y[Q], y[Q + 1], y[Q + 2], y[Q + 3]
-    a, b, c = y[W], y[W + 1], y[W + 2]
-    dy[Q] = -0.5 * (x * a + i * b + z * c)
-    dy[Q + 1] = 0.5 * (w * a + i * c - z * b)
-    dy[Q + 2] = 0.5 * (w * b - x * c + z * a)
-    dy[Q + 3] = 0.5 * (w * c + x * b - i * a)
+    write_turning(y, vec(y, W), turn, dy)
 
 
 @routine

@@ -2,7 +2,7 @@
 
 Its rotation and its spin say all: where its centre of gravity is and how fast that moves follows
 from what it turns about (`hold_point`), but for the place that a rim has rolled to. These numbers
-come first in a state, and they alone are integrated, at a third of the cost of `rates`.
+come first in a state, and they alone are integrated.
 """
 
 from __future__ import annotations
@@ -64,18 +64,13 @@ def turns_alone(shape: SolidParameters, work: Workspace) -> int:
 
 
 @kernel
-def pivot_at(shape: SolidParameters, r: Vec) -> Pivot:
-    """A point about which a body may turn in any direction."""
-    inertia = about(shape.inertia, r)
-    return Pivot(r, inertia, inverse(inertia))
-
-
-@kernel
 def pivot_of(shape: SolidParameters, work: Workspace) -> Pivot:
     """The corner or the side that a body turns about."""
-    first = arm(shape, work, work.touches[work.mode.first].point)
     if work.mode.kind == CORNER:
-        return pivot_at(shape, arm(shape, work, work.touches[work.closed[0]].point))
+        r = arm(shape, work, work.touches[work.closed[0]].point)
+        inertia = about(shape.inertia, r)
+        return Pivot(r, inertia, inverse(inertia))
+    first = arm(shape, work, work.touches[work.mode.first].point)
     side = subtract(arm(shape, work, work.touches[work.mode.last].point), first)
     middle = add(first, times(0.5, side))
     inertia = about(shape.inertia, middle)
