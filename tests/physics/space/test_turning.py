@@ -23,7 +23,7 @@ from shaketable.physics.space.turning import (
     pivot_of,
     turn_about,
     turn_on_rim,
-    turns_alone,
+    turning_kind,
 )
 from shaketable.physics.space.vectors import Vec
 from shaketable.physics.space.workspace import SLIPS, STATE, STICKS, P, Q, V, W, vec
@@ -33,7 +33,7 @@ OFF_AXIS = [[0.09, 0.01, -0.02], [0.01, 0.11, 0.03], [-0.02, 0.03, 0.05]]  # m²
 CORNERS = [(0.3, 0.1), (-0.2, 0.15), (-0.1, -0.2), (0.25, -0.12)]
 PRISM = Solid.polygon(CORNERS, 0.9, inertia=OFF_AXIS)
 DISC = Solid.cylinder(0.5, 0.7)
-SCALES = 1e-13  # of rates up to some hundred: a few roundings each
+ROUNDINGS = 1e-13  # of the largest rate: a few roundings each
 
 
 def touching(solid: Solid, points: tuple[int, ...], around: Surroundings | None = None) -> Any:
@@ -72,27 +72,27 @@ def pulled(rng: np.random.Generator) -> Vec:
 def test_a_corner_and_a_side(points: tuple[int, ...]) -> None:
     rng = np.random.default_rng(70)
     shape, work = touching(PRISM, points)
-    assert turns_alone(shape, work) == TURNS
+    assert turning_kind(shape, work) == TURNS
     for _ in range(20):
         state, f = put_at_random(shape, work, rng, len(points) > 1), pulled(rng)
         rates(shape, work, state, f, True, work.stages[0])
         turn_about(pivot_of(shape, work), state, f, work.stages[1])
         found, expected = work.stages[1][:V], work.stages[0][:V]
-        np.testing.assert_allclose(found, expected, rtol=0.0, atol=SCALES * abs(expected).max())
+        np.testing.assert_allclose(found, expected, rtol=0.0, atol=ROUNDINGS * abs(expected).max())
 
 
 def test_a_rim_that_rolls() -> None:
     """And where it rolls to: its place goes on with the velocity that rolling gives it."""
     rng = np.random.default_rng(71)
     shape, work = touching(DISC, (-1,))
-    assert turns_alone(shape, work) == ROLLS
+    assert turning_kind(shape, work) == ROLLS
     for _ in range(20):
         state, f = put_at_random(shape, work, rng, False), pulled(rng)
         rates(shape, work, state, f, True, work.stages[0])
         turn_on_rim(shape, work, state, f, work.stages[1])
         some = [*range(V), P, P + 1]
         found, expected = work.stages[1][some], work.stages[0][some]
-        np.testing.assert_allclose(found, expected, rtol=0.0, atol=SCALES * abs(expected).max())
+        np.testing.assert_allclose(found, expected, rtol=0.0, atol=ROUNDINGS * abs(expected).max())
 
 
 def test_numbers_need_no_unit_length() -> None:
@@ -111,15 +111,15 @@ def test_what_does_not_turn_alone() -> None:
     """It slips, loses as it rolls, or a strap pulls; one that is loose changes nothing."""
     shape, work = touching(PRISM, (2,))
     work.mode.grip = SLIPS
-    assert turns_alone(shape, work) == NOT_ALONE
+    assert turning_kind(shape, work) == NOT_ALONE
     shape, work = touching(Solid.cylinder(0.5, 0.7, rolling_friction=0.003), (-1,))
-    assert turns_alone(shape, work) == NOT_ALONE
+    assert turning_kind(shape, work) == NOT_ALONE
     strap = Strap(point=(0.1, 0.0, 0.8), anchor=(0.6, 0.0, 0.8), stiffness=2e4)
     heavy = Solid.polygon(CORNERS, 0.9, mass=30.0)
     shape, work = touching(heavy, (2,), Surroundings(straps=(strap,)))
-    assert turns_alone(shape, work) == TURNS
+    assert turning_kind(shape, work) == TURNS
     work.held[0] = TAUT
-    assert turns_alone(shape, work) == NOT_ALONE
+    assert turning_kind(shape, work) == NOT_ALONE
 
 
 @pytest.mark.parametrize("by", [1e-9, 0.004, 0.02, 1.3, -2.9])

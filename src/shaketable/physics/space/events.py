@@ -13,7 +13,7 @@ from shaketable.physics.space.guards import GAP_FOUND, EventGuard, least_guard, 
 from shaketable.physics.space.keeping import hold_point
 from shaketable.physics.space.rates import rates
 from shaketable.physics.space.step import Pull, pull_at, take_step
-from shaketable.physics.space.turning import NOT_ALONE, turns_alone
+from shaketable.physics.space.turning import NOT_ALONE, turning_kind
 from shaketable.physics.space.workspace import (
     BETWEEN,
     STATE,
@@ -87,7 +87,7 @@ def look_between(
             middle = 0.5 * (low + high)
         moved, at = middle - at, middle
         write_between(work, at / du)
-        if turns_alone(shape, work) != NOT_ALONE:
+        if turning_kind(shape, work) != NOT_ALONE:
             follow(shape, work, work.trial)
         rates(shape, work, work.trial, pull_at(pull, u + at), True, work.stages[BETWEEN])
         here = guard_at(shape, work, BETWEEN, moved * pull.length)

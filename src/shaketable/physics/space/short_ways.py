@@ -110,7 +110,7 @@ def lifted(shape: SolidParameters, work: Workspace, q: Axes, place: int, turn: V
 
 @kernel
 def slip(shape: SolidParameters, work: Workspace, q: Axes, y: Floats, f: Vec) -> tuple[Vec, Vec]:
-    """On a corner or a rim that slips: as on two, with what is known of one written out."""
+    """On a corner or a rim that slips."""
     spin, place = vec(y, W), work.closed[0]
     touch = work.touches[place]
     r = arm(shape, work, touch.point)

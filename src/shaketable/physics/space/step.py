@@ -24,7 +24,7 @@ from shaketable.physics.space.turning import (
     pivot_of,
     turn_about,
     turn_on_rim,
-    turns_alone,
+    turning_kind,
 )
 from shaketable.physics.space.vectors import Vec, add, times
 from shaketable.physics.space.workspace import (
@@ -62,7 +62,7 @@ def take_step(shape: SolidParameters, work: Workspace, pull: Pull, u: float, du:
     how sure the contact is there. An error below 1 is accepted.
     """
     h, y, k, out = du * pull.length, work.state, work.stages, work.trial
-    pivot, way = pivot_of(shape, work), turns_alone(shape, work)
+    pivot, way = pivot_of(shape, work), turning_kind(shape, work)
     if way == TURNS:
         go_through(V, TURNS, shape, work, pull, u, du, pivot)
     elif way == ROLLS:

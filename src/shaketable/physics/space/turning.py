@@ -40,7 +40,7 @@ from shaketable.physics.space.workspace import (
     vec,
 )
 
-# What `turns_alone` finds: neither, about a point or a side of the body, or on a rim that rolls.
+# What a body turns about alone: nothing; a point or a side that sticks; a rim that rolls.
 NOT_ALONE, TURNS, ROLLS = range(3)
 
 
@@ -53,8 +53,8 @@ class Pivot(NamedTuple):
 
 
 @kernel
-def turns_alone(shape: SolidParameters, work: Workspace) -> int:
-    """Whether a body turns about what sticks or rolls, and nothing but that and f acts on it."""
+def turning_kind(shape: SolidParameters, work: Workspace) -> int:
+    """What a body turns about, if nothing but that and f acts on it: TURNS, ROLLS or NOT_ALONE."""
     if work.mode.grip != STICKS or pulls_any(shape, work) or loses(shape):
         return NOT_ALONE
     rolls = on_rim(work)
